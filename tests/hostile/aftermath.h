@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What a call leaves behind beside the state that readers show: settings of the process, settings that
-// nothing reads, and new objects that nobody holds. Told by the name of the function.
+// What a call leaves behind apart from the state that readers show: settings of the process, settings that
+// nothing reads, and new objects that nobody holds. Found by the name of the function.
 #pragma once
 
 #include "table.h"

@@ -21,7 +21,7 @@ namespace {
 
 int g_refusals = 0;
 std::string g_text;
-void hear(int, const char* format, va_list arguments)
+void receive(int, const char* format, va_list arguments)
 {
     char text[256];
     std::vsnprintf(text, sizeof text, format, arguments);
@@ -67,7 +67,7 @@ class Callbacks : public ::testing::Test {
     Callbacks()
     {
         dInitODE2(0);
-        dSetDebugHandler(hear);
+        dSetDebugHandler(receive);
         g_refusals = 0;
         g_act = nullptr;
         world = dWorldCreate();

@@ -7,8 +7,8 @@
 # parameter takes (tests/hostile/table.h). The preprocessor resolves the headers; a declaration is then one
 # marker, a result, a name and a list of parameters.
 #
-# Whoever exports a function has mostly nothing to do: types and names of parameters tell their kinds. Else
-# - a parameter of an unknown type, or an array whose size another parameter gives: its kind is told in
+# Whoever exports a function has mostly nothing to do: types and names of parameters give their kinds. Else
+# - a parameter of an unknown type, or an array whose size another parameter gives: its kind is given in
 #   KIND_OF_TYPE or KIND_OF_PARAMETER; a new kind is added to table.h, its values to value_lists.h and
 #   values.cpp, and a kind of handle to the objects of scene.cpp (a live and a destroyed one);
 # - a pointer that may be null, an argument that is not read, a number that may be NaN: the lists below;
@@ -46,8 +46,8 @@ KIND_OF_TYPE = {
     "const dGeomClass*": "GeomClass", "dWorldStepReport*": "WorldReport",
     "dIslandStepReport*": "IslandReport", "dEnergyLedger*": "Ledger", "dStopwatch*": "Stopwatch", "FILE*": "File",
     "const char*": "Text", "dQueryHit*": "QueryHits", "dHandlePair*": "QueryHits", "dSpaceID*": "QueryHits", "dQueryDistance*": "QueryHits", "void*": "Data", "dJointID*": "JointList", "dJointFeedback*": "Feedback", "dGeomID*": "QueryHits",
-    "dContactEvent*": "QueryHits", "dDiagnosis*": "QueryHits", "const dDiagnosis*": "QueryHits", "dWorldContact*": "QueryHits", "dEvent*": "QueryHits", "const dEventSettings*": "EventSettings", "dEventSettings*": "EventSettingsRoom", "dMaterial*": "Material",
-    "const dMaterial*": "Material", "dDrive*": "DriveRoom", "const dDrive*": "Drive", "const dQueryFilter*": "QueryFilter", "dContactFilter*": "ContactFilter",
+    "dContactEvent*": "QueryHits", "dDiagnosis*": "QueryHits", "const dDiagnosis*": "QueryHits", "dWorldContact*": "QueryHits", "dEvent*": "QueryHits", "const dEventSettings*": "EventSettings", "dEventSettings*": "EventSettingsBuffer", "dMaterial*": "Material",
+    "const dMaterial*": "Material", "dDrive*": "DriveBuffer", "const dDrive*": "Drive", "const dQueryFilter*": "QueryFilter", "dContactFilter*": "ContactFilter",
     "const unsigned char*": "Bytes", "const short*": "Shorts", "const float*": "Floats",
     "const double*": "Doubles",
     "dMessageFunction*": "MessageFunction", "dAllocFunction*": "AllocFunction",
@@ -76,14 +76,14 @@ KIND_OF_PARAMETER = [
     (r"d(Bodies|Joints)[GS]etStates:(count|stride)", "Length"),
     (r"d(Bodies|Joints)[GS]etStates:(out|in|value|rate)", "QueryHits"),
     (r"dWorldGetJoints:joints", "QueryHits"),
-    (r"dWorldGetState(Delta)?:(buffer|out)", "StateRoom"),
+    (r"dWorldGetState(Delta)?:(buffer|out)", "StateBuffer"),
     (r"dWorld[GS]etState(Delta)?:(buffer|base)", "State"),
     (r"dWorldSetStateDelta:delta", "StateDelta"),
     (r"dWorld[GS]etState(Delta)?:(size|capacity|base_size|delta_size)", "BufferSize"),
     (r"dWorldClone:space", "SpacePointer"),
     (r"dWorldSave:path", "SavePath"),
     (r"dWorldLoad:path", "LoadPath"),
-    (r"dWorldSaveToBuffer:buffer", "StateRoom"),
+    (r"dWorldSaveToBuffer:buffer", "StateBuffer"),
     (r"dWorldLoadFromBuffer:buffer", "WorldFile"),
     (r"dWorld(SaveToBuffer:capacity|LoadFromBuffer:size)", "BufferSize"),
     (r"dSpaceRayBatch:count", "Length"),
@@ -111,7 +111,7 @@ KIND_OF_PARAMETER = [
     (r"dGeomTriMeshData\w+:Indices", "Corners"),
     (r"dGeomTriMeshData\w+:Normals", "Data"),
     (r"dGeomConvexGet\w+:(points|planes)", "Reals"),
-    (r"dGeomConvexGet\w+:polygons", "FaceRoom"),
+    (r"dGeomConvexGet\w+:polygons", "FaceBuffer"),
     (r"dGeomGetTriangles:facets", "QueryHits"),
     (r"dGeomGetTriangles:segments", "SampleCount"),
     (r"d(Realloc|Free):ptr", "Block"),

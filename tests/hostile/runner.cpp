@@ -386,11 +386,11 @@ void Runner::enter(Phase phase)
         case Phase::kCollider:
         case Phase::kHeight:
         case Phase::kMesh: {
-            dContactGeom room[4];
+            dContactGeom contacts[4];
             const dGeomID other = phase == Phase::kMesh     ? scene_.mesh
                                   : phase == Phase::kHeight ? scene_.high_ground
                                                             : scene_.tested_geom;
-            dCollide(other, scene_.probe, 4, room, sizeof room[0]);
+            dCollide(other, scene_.probe, 4, contacts, sizeof contacts[0]);
             return;
         }
         case Phase::kEnd:

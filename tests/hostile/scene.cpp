@@ -91,13 +91,13 @@ void counted_free(void* p, dsizeint)
 
 Messages g_messages;
 
-void hear_refusal(int number, const char* format, va_list arguments)
+void keep_refusal(int number, const char* format, va_list arguments)
 {
     ++g_messages.refusals;
     if (number != d_ERR_UASSERT) g_messages.odd = true;
     std::vsnprintf(g_messages.text, sizeof g_messages.text, format, arguments);
 }
-void hear_nothing(int, const char*, va_list) {}
+void ignore(int, const char*, va_list) {}
 
 // ---- parts of the scene ----
 
@@ -133,9 +133,9 @@ void forget_blocks(long held) { g_blocks = held; }
 
 void restore_handlers()
 {
-    dSetErrorHandler(hear_nothing);
-    dSetDebugHandler(hear_refusal);
-    dSetMessageHandler(hear_nothing);
+    dSetErrorHandler(ignore);
+    dSetDebugHandler(keep_refusal);
+    dSetMessageHandler(ignore);
     dSetAllocHandler(counted_alloc);
     dSetReallocHandler(counted_realloc);
     dSetFreeHandler(counted_free);

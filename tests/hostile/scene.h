@@ -3,8 +3,8 @@
 //
 // The world in which hostile calls are made: bodies of every sort, every type of joint twice (between two
 // bodies; and against the world, turned round, or attached to nothing), every class of geom, spaces in a
-// space, contacts, heights from an array and from a function. Beside it a second world, and of each kind of
-// object one that has been destroyed. Built anew whenever a call has changed something.
+// space, contacts, heights from an array and from a function. Next to it a second world, and of each kind of
+// object one that has been destroyed. Built again whenever a call has changed something.
 #pragma once
 
 #include <array>

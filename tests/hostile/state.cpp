@@ -17,9 +17,9 @@ constexpr int kIndices[] = {0, 1, 2};
 constexpr int kNone[] = {0};
 
 // What readers write into: the reals of one argument, or of three arguments.
-constexpr int kRoom = sizeof(dMass) / sizeof(dReal);
+constexpr int kMaxReals = sizeof(dMass) / sizeof(dReal);
 constexpr int kArguments = 6;
-dReal g_room[3][kRoom];
+dReal g_reals[3][kMaxReals];
 int g_integers[3];
 
 void mix(std::uint64_t& hash, std::uint64_t word)
@@ -49,7 +49,7 @@ int reals_behind(const char* name)
     return contains(name, "Rotation") ? 12 : contains(name, "Quaternion") ? 4 : 3;
 }
 
-// How many reals one of its arguments has room for.
+// How many reals one of its arguments can hold.
 int reals_of(Kind kind)
 {
     switch (kind) {
@@ -63,7 +63,7 @@ int reals_of(Kind kind)
         case Kind::kMatrix3:
             return 12;
         case Kind::kMass:
-            return kRoom;
+            return kMaxReals;
         case Kind::kRealPointer:
             return 1;
         default:
@@ -100,7 +100,7 @@ void State::learn(const Function& f)
 {
     const std::size_t objects = f.count > 0 ? scene_.live[std::size_t(f.parameters[0].kind)].size() : 1;
     Reading r = {&f, 0, 0, reals_behind(f.name), 0, is_motion(f.name)};
-    for (const Parameter& p : f.all()) r.room = std::max(r.room, reals_of(p.kind));
+    for (const Parameter& p : f.all()) r.reals = std::max(r.reals, reals_of(p.kind));
     bool first = true;
     for (r.object = 0; r.object < int(objects); ++r.object) {
         // All numbers of the first object that takes the function; a few of the others.
@@ -124,7 +124,7 @@ bool State::take(const Reading& r, std::uint64_t& hash, bool& healthy) const
 {
     Value arguments[kArguments];
     const auto parameters = r.function->all();
-    for (auto& room : g_room) std::fill_n(room, r.room, dReal(0));
+    for (auto& reals : g_reals) std::fill_n(reals, r.reals, dReal(0));
     for (int& integer : g_integers) integer = 0;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const Kind kind = parameters[i].kind;
@@ -135,7 +135,7 @@ bool State::take(const Reading& r, std::uint64_t& hash, bool& healthy) const
         else if (kind == Kind::kIntPointer)
             arguments[i].pointer = &g_integers[i % 3];
         else
-            arguments[i].pointer = g_room[i % 3];
+            arguments[i].pointer = g_reals[i % 3];
     }
     const int before = messages().refusals;
     const Result result = r.function->call(arguments);
@@ -147,8 +147,8 @@ bool State::take(const Reading& r, std::uint64_t& hash, bool& healthy) const
             std::uint64_t(result.integer) ^ std::uint64_t(reinterpret_cast<std::uintptr_t>(result.pointer)));
     const auto* values = static_cast<const dReal*>(result.pointer);
     for (int i = 0; values && i < r.reals; ++i) healthy = mix_real(hash, values[i], r.finite) && healthy;
-    for (int i = 0; i < r.room; ++i)
-        for (const auto& room : g_room) healthy = mix_real(hash, room[i], r.finite) && healthy;
+    for (int i = 0; i < r.reals; ++i)
+        for (const auto& reals : g_reals) healthy = mix_real(hash, reals[i], r.finite) && healthy;
     for (int integer : g_integers) mix(hash, unsigned(integer));
     return true;
 }

@@ -32,7 +32,7 @@ class State {
         int object;     // place in its kind's list
         int number;     // second argument if it is an integer
         int reals = 0;  // how many stand behind the pointer that it returns
-        int room = 0;   // how many reals it writes into its argument
+        int reals = 0;  // how many reals it writes into its argument
         bool finite;    // must be finite, else only not NaN
     };
     void learn(const Function& function);

@@ -18,7 +18,7 @@
 namespace {
 
 int g_refusals = 0;
-void hear(int, const char*, va_list) { ++g_refusals; }
+void receive(int, const char*, va_list) { ++g_refusals; }
 void count_pair(void* count, dGeomID, dGeomID) { ++*static_cast<int*>(count); }
 dReal flat(void*, int, int) { return 0; }
 
@@ -27,7 +27,7 @@ class Structure : public ::testing::Test {
     Structure()
     {
         dInitODE2(0);
-        dSetDebugHandler(hear);
+        dSetDebugHandler(receive);
         g_refusals = 0;
     }
     ~Structure() override
@@ -269,7 +269,7 @@ TEST_F(Structure, without_a_handler_each_place_speaks_once)
     };
     EXPECT_EQ(count("Bad argument(s) in dBodySetPosition()"), 1) << said;
     EXPECT_EQ(count("Bad argument(s) in dJointSetHingeAnchor()"), 1) << said;
-    dSetDebugHandler(hear);
+    dSetDebugHandler(receive);
     for (int i = 0; i < 3; ++i) refuse_here();
     expect_refused(3);
 }

@@ -51,8 +51,8 @@ constexpr Integer kInts[] = {
     {1 << 20, "2^20"}, {32767, "2^15-1"}, {INT_MAX, "INT_MAX"}, {INT_MIN, "INT_MIN"}};
 constexpr Integer kSizes[] = {{64, "64"},    {0, "0"}, {1, "1"}, {1ll << 40, "2^40"}, {LLONG_MAX, "2^63-1"},
                               {-1, "2^64-1"}};
-constexpr int kStateRoom = 1 << 18;  // bytes; the state of a scene has fewer
-constexpr Integer kBufferSizes[] = {{kStateRoom, "all"}, {64, "64"}, {24, "24"}, {1, "1"}, {0, "0"}};
+constexpr int kStateBuffer = 1 << 18;  // bytes; the state of a scene has fewer
+constexpr Integer kBufferSizes[] = {{kStateBuffer, "all"}, {64, "64"}, {24, "24"}, {1, "1"}, {0, "0"}};
 constexpr Integer kLengths[] = {{2, "2"}, {1, "1"}, {3, "3"},   {4, "4"},
                                 {8, "8"}, {0, "0"}, {-1, "-1"}, {INT_MIN, "INT_MIN"}};
 constexpr Integer kSampleCounts[] = {

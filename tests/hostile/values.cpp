@@ -86,11 +86,11 @@ std::FILE* nowhere()
     return file;
 }
 
-// What the world's state is now, its difference from itself, or room for one.
+// What the world's state is now, its difference from itself, or a buffer for one.
 void* state_of(dWorldID world, Kind kind)
 {
-    static std::array<unsigned char, kStateRoom> whole, delta, room;
-    if (kind == Kind::kStateRoom) return room.data();
+    static std::array<unsigned char, kStateBuffer> whole, delta, buffer;
+    if (kind == Kind::kStateBuffer) return buffer.data();
     (void)dWorldGetState(world, whole.data(), whole.size());
     if (kind == Kind::kState) return whole.data();
     (void)dWorldGetStateDelta(world, whole.data(), whole.size(), delta.data(), delta.size());
@@ -99,7 +99,7 @@ void* state_of(dWorldID world, Kind kind)
 
 // A world of one body, as bytes and as a file to be loaded, and the name of one to be saved.
 struct WorldFile {
-    std::array<unsigned char, kStateRoom> bytes{};
+    std::array<unsigned char, kStateBuffer> bytes{};
     const char* const loaded = "hostile_loaded.epw";
     const char* const saved = "hostile_saved.epw";
     WorldFile()
@@ -201,11 +201,11 @@ int Values::count(Kind kind)
             return int(filters().size()) + 1;
         case Kind::kDrive:
             return int(drives().size()) + 1;
-        case Kind::kDriveRoom:
+        case Kind::kDriveBuffer:
             return int(reports<dDrive>().size()) + 1;
         case Kind::kEventSettings:
             return int(event_settings().size()) + 1;
-        case Kind::kEventSettingsRoom:
+        case Kind::kEventSettingsBuffer:
             return int(reports<dEventSettings>().size()) + 1;
         case Kind::kContact:
             return int(hostile::contacts().size()) + 1;
@@ -237,7 +237,7 @@ int Values::count(Kind kind)
         case Kind::kFloats:
         case Kind::kDoubles:
             return int(samples<double>().size()) + 1;
-        case Kind::kFaceRoom:
+        case Kind::kFaceBuffer:
         case Kind::kSizePointer:
         case Kind::kBytesPointer:
         case Kind::kRows:
@@ -249,7 +249,7 @@ int Values::count(Kind kind)
         case Kind::kControl:
         case Kind::kState:
         case Kind::kStateDelta:
-        case Kind::kStateRoom:
+        case Kind::kStateBuffer:
         case Kind::kWorldFile:
         case Kind::kSpacePointer:
         case Kind::kBlock:
@@ -394,7 +394,7 @@ Value Values::memory(Kind kind, int index, int position)
         v.pointer = fill(kind, position, &chosen.value, sizeof chosen.value);
         return v;
     };
-    static const std::array<char, 4096> kRoom{};
+    static const std::array<char, 4096> kZeros{};
     switch (kind) {
         case Kind::kMass:
             return item(masses());
@@ -404,11 +404,11 @@ Value Values::memory(Kind kind, int index, int position)
             return item(filters());
         case Kind::kDrive:
             return item(drives());
-        case Kind::kDriveRoom:
+        case Kind::kDriveBuffer:
             return item(reports<dDrive>());
         case Kind::kEventSettings:
             return item(event_settings());
-        case Kind::kEventSettingsRoom:
+        case Kind::kEventSettingsBuffer:
             return item(reports<dEventSettings>());
         case Kind::kContact:
             return item(hostile::contacts());
@@ -463,21 +463,21 @@ Value Values::memory(Kind kind, int index, int position)
             v.text = chosen.text;
             return v;
         }
-        case Kind::kFaceRoom:
-            v.pointer = fill(kind, position, kRoom.data(), sizeof(Solid::faces));
+        case Kind::kFaceBuffer:
+            v.pointer = fill(kind, position, kZeros.data(), sizeof(Solid::faces));
             return v;
         case Kind::kSizePointer:
         case Kind::kBytesPointer:
-            v.pointer = fill(kind, position, kRoom.data(), sizeof(void*));
+            v.pointer = fill(kind, position, kZeros.data(), sizeof(void*));
             return v;
         case Kind::kStopwatch:
-            v.pointer = fill(kind, position, kRoom.data(), sizeof(dStopwatch));
+            v.pointer = fill(kind, position, kZeros.data(), sizeof(dStopwatch));
             return v;
         case Kind::kFeedback:
-            v.pointer = fill(kind, position, kRoom.data(), sizeof(dJointFeedback));
+            v.pointer = fill(kind, position, kZeros.data(), sizeof(dJointFeedback));
             return v;
         case Kind::kQueryHits:
-            v.pointer = fill(kind, position, kRoom.data(), kRoom.size());
+            v.pointer = fill(kind, position, kZeros.data(), kZeros.size());
             return v;
         case Kind::kWorldList:
         case Kind::kBodyList:
@@ -494,10 +494,10 @@ Value Values::memory(Kind kind, int index, int position)
             return v;
         }
         case Kind::kJointList:
-            v.pointer = fill(kind, position, kRoom.data(), 256 * sizeof(dJointID));
+            v.pointer = fill(kind, position, kZeros.data(), 256 * sizeof(dJointID));
             return v;
         case Kind::kControl:
-            v.pointer = fill(kind, position, kRoom.data(), 16);
+            v.pointer = fill(kind, position, kZeros.data(), 16);
             return v;
         case Kind::kData:
             v.pointer = g_letters;
@@ -512,7 +512,7 @@ Value Values::memory(Kind kind, int index, int position)
             return v;
         case Kind::kState:
         case Kind::kStateDelta:
-        case Kind::kStateRoom:
+        case Kind::kStateBuffer:
             v.pointer = state_of(static_cast<dWorldID>(scene_.live[std::size_t(Kind::kWorld)][0]), kind);
             return v;
         case Kind::kFile:
@@ -522,8 +522,8 @@ Value Values::memory(Kind kind, int index, int position)
             v.pointer = dAlloc(64);
             return v;
         case Kind::kContacts: {
-            static const auto room = std::make_unique<dContact[]>(kMostContacts);
-            v.pointer = room.get();
+            static const auto contacts = std::make_unique<dContact[]>(kMostContacts);
+            v.pointer = contacts.get();
             return v;
         }
         case Kind::kRows: {

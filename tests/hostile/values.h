@@ -3,7 +3,7 @@
 //
 // The values of each kind of parameter, sensible ones first. What pointers point to lies in blocks of exactly
 // the size that the interface states, one per position in the argument list, so that a sanitizer sees every
-// access beyond; blocks are filled anew for each call and remember with what.
+// access beyond; blocks are filled again for each call and remember with what.
 #pragma once
 
 #include <map>

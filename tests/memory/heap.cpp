@@ -35,7 +35,7 @@ void give(void* p, dsizeint)
     std::free(p);
 }
 
-void hear(int, const char*, va_list) { ++g_messages; }
+void receive(int, const char*, va_list) { ++g_messages; }
 void ignore(int, const char*, va_list) {}
 
 }  // namespace
@@ -57,7 +57,7 @@ Library::Library()
     dSetAllocHandler(take);
     dSetReallocHandler(change);
     dSetFreeHandler(give);
-    dSetDebugHandler(hear);
+    dSetDebugHandler(receive);
     dSetMessageHandler(ignore);
     Heap::count();
     dInitODE2(0);

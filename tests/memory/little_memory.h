@@ -27,9 +27,9 @@ template <typename Scene>
 bool tried(Scene& scene)
 {
     const std::uint64_t before = scene.hash();
-    const int heard = messages();
+    const int before = messages();
     const bool made = scene.go();
-    EXPECT_EQ(messages() - heard, made ? 0 : 1);
+    EXPECT_EQ(messages() - before, made ? 0 : 1);
     if (!made) { EXPECT_EQ(scene.hash(), before) << "a refused step has changed something"; }
     return made;
 }

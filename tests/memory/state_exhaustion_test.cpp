@@ -10,11 +10,11 @@ namespace {
 
 class World {
   public:
-    explicit World(bool managed) : managed_(managed)
+    explicit World(bool world_contacts) : world_contacts_(world_contacts)
     {
         dWorldSetGravity(world, 0, 0, dReal(-9.81));
         dWorldSetAutoDisableFlag(world, 1);
-        if (managed) dWorldSetContactSpace(world, space_);
+        if (world_contacts) dWorldSetContactSpace(world, space_);
         dCreatePlane(space_, 0, 0, 1, 0);
         for (int i = 0; i < 12; ++i) {
             const dBodyID body = dBodyCreate(world);
@@ -46,7 +46,7 @@ class World {
     }
     void collide()
     {
-        if (!managed_) dSpaceCollide(space_, this, touch);
+        if (!world_contacts_) dSpaceCollide(space_, this, touch);
     }
     std::vector<unsigned char> state() const
     {
@@ -71,7 +71,7 @@ class World {
         }
     }
 
-    const bool managed_;
+    const bool world_contacts_;
     const dSpaceID space_ = dHashSpaceCreate(nullptr);
     const dJointGroupID contacts_ = dJointGroupCreate(0);
 };
@@ -84,7 +84,7 @@ TEST_P(StateExhaustion, each_allocation_may_fail_and_nothing_changes)
     World first(GetParam());
     first.steps(60);
     const std::vector<unsigned char> begin = first.state();
-    std::vector<unsigned char> room(begin.size());
+    std::vector<unsigned char> buffer(begin.size());
     first.steps(5);
     const std::uint64_t later = hash_of(first.bodies);
     int tried = 0;
@@ -94,17 +94,17 @@ TEST_P(StateExhaustion, each_allocation_may_fail_and_nothing_changes)
                 World w(GetParam());  // a world keeps the memory of earlier calls
                 w.steps(65);
                 const std::uint64_t before = hash_of(w.bodies);
-                const int heard = messages();
+                const int before = messages();
                 Heap::fail_at(n, for_good);
                 const bool done =
-                    what == 0   ? dWorldGetState(w.world, room.data(), room.size())
+                    what == 0   ? dWorldGetState(w.world, buffer.data(), buffer.size())
                     : what == 1 ? dWorldSetState(w.world, begin.data(), begin.size())
                     : what == 2 ? dWorldGetStateSize(w.world) > 0
                                 : dWorldGetStateDelta(w.world, begin.data(), begin.size(), nullptr, 0) > 0;
                 const bool failed = Heap::failed();
                 Heap::count();
                 ASSERT_TRUE(done || failed);
-                ASSERT_EQ(messages() - heard, done ? 0 : 1) << what << ' ' << n;
+                ASSERT_EQ(messages() - before, done ? 0 : 1) << what << ' ' << n;
                 if (!done) {
                     ASSERT_EQ(hash_of(w.bodies), before) << what << ' ' << n;
                 } else if (what == 1) {

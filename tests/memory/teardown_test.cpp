@@ -3,7 +3,7 @@
 //
 // Bodies, joints, groups, geoms, spaces and worlds are destroyed in each of the 720 orders of the six kinds,
 // once without and once with spaces and transforms that take their contents along. After each kind every
-// handle that is left names things that are alive, those that are gone are refused, and at the end no block
+// handle that is left names objects that are alive, those that are gone are refused, and at the end no block
 // is held.
 #include <algorithm>
 
@@ -14,7 +14,7 @@ namespace {
 
 enum Kind { kBodies, kJoints, kGroups, kGeoms, kSpaces, kWorlds, kKinds };
 
-struct Things {
+struct Objects {
     std::vector<dWorldID> worlds;
     std::vector<dBodyID> bodies;
     std::vector<dJointID> joints;
@@ -33,7 +33,7 @@ bool refused(Call&& call)
 
 void touch(void* data, dGeomID a, dGeomID b)
 {
-    auto& things = *static_cast<Things*>(data);
+    auto& objects = *static_cast<Objects*>(data);
     dContact contact[4];
     const int n = dCollide(a, b, 4, &contact[0].geom, sizeof contact[0]);
     for (int i = 0; i < n; ++i) {
@@ -41,14 +41,14 @@ void touch(void* data, dGeomID a, dGeomID b)
         dBodyID one = dGeomGetBody(a), two = dGeomGetBody(b);
         if ((!one && !two) || (one && two && dBodyGetWorld(one) != dBodyGetWorld(two))) continue;
         dWorldID world = dBodyGetWorld(one ? one : two);
-        things.joints.push_back(dJointCreateContact(world, things.groups[0], &contact[i]));
-        dJointAttach(things.joints.back(), one, two);
+        objects.joints.push_back(dJointCreateContact(world, objects.groups[0], &contact[i]));
+        dJointAttach(objects.joints.back(), one, two);
     }
 }
 
-Things build(bool take_along)
+Objects build(bool take_along)
 {
-    Things t;
+    Objects t;
     for (int w = 0; w < 2; ++w) t.worlds.push_back(dWorldCreate());
     for (int g = 0; g < 2; ++g) t.groups.push_back(dJointGroupCreate(0));
     t.spaces = {dHashSpaceCreate(nullptr)};
@@ -86,7 +86,7 @@ void destroy_all(const std::vector<Id>& all, bool backwards, Destroy&& destroy)
     for (std::size_t i = 0; i < all.size(); ++i) destroy(all[backwards ? all.size() - 1 - i : i]);
 }
 
-void destroy(const Things& t, Kind kind, bool backwards)
+void destroy(const Objects& t, Kind kind, bool backwards)
 {
     switch (kind) {
         case kBodies:
@@ -110,8 +110,8 @@ bool among(const std::vector<Id>& all, Id one)
     return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-// Whatever still answers names only things that answer.
-void expect_no_dangling(const Things& t)
+// Whatever still answers names only objects that answer.
+void expect_no_dangling(const Objects& t)
 {
     const auto lives = [&](dBodyID b) { return !refused([&] { dBodyIsEnabled(b); }); };
     for (dBodyID b : t.bodies) {
@@ -140,7 +140,7 @@ void expect_no_dangling(const Things& t)
     for (dWorldID w : t.worlds) dWorldStepFast1(w, dReal(0.01), 2);
 }
 
-void expect_all_gone(const Things& t)
+void expect_all_gone(const Objects& t)
 {
     for (dBodyID b : t.bodies) EXPECT_TRUE(refused([&] { dBodyDestroy(b); }));
     for (dJointID j : t.joints) EXPECT_TRUE(refused([&] { dJointDestroy(j); }));
@@ -157,7 +157,7 @@ TEST(Teardown, every_order_of_kinds_gives_everything_back)
     do {
         for (bool take_along : {false, true}) {
             const Library library;
-            const Things t = build(take_along);
+            const Objects t = build(take_along);
             for (int kind : order) {
                 destroy(t, Kind(kind), orders % 2 != 0);
                 expect_no_dangling(t);
@@ -175,7 +175,7 @@ TEST(Teardown, rounds_without_a_close_hold_no_more_from_round_to_round)
     const Library library;
     long after_two = 0;
     for (int round = 0; round < 50; ++round) {
-        const Things t = build(round % 2 != 0);
+        const Objects t = build(round % 2 != 0);
         for (Kind kind : {kGeoms, kSpaces, kGroups, kJoints, kBodies, kWorlds}) destroy(t, kind, false);
         if (round == 1) after_two = Heap::held();
     }

@@ -2,7 +2,7 @@
 # Copyright (c) 2026 The Epode authors
 #
 # Which functions the original exports, which ours has, which the cases call: names read with nm. The C functions
-# of the interface are those that begin with d and a capital; the original exports a few private ones beside.
+# of the interface are those that begin with d and a capital; the original exports a few private ones as well.
 import re
 import subprocess
 from pathlib import Path

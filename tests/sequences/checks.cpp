@@ -19,7 +19,7 @@ bool finite(const dReal* v, int n)
 
 dSpaceID as_space(const Geom* geom) { return reinterpret_cast<dSpaceID>(geom ? geom->id : nullptr); }
 
-// Slots are told apart for 63 objects to come, so the last 32 of a kind to die are recognised for certain.
+// Slots are distinguished for 63 objects to come, so the last 32 of a kind to die are recognised for certain.
 template <typename T>
 T* recently_dead(const Register<T>& all, Dice& dice)
 {

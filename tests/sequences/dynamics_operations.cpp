@@ -351,7 +351,7 @@ void Player::tune_joint(Dice& dice)
 void Player::watch_joint(Dice& dice)
 {
     Joint* joint = any(model.joints.living(), dice);
-    if (joint) ATTEMPT(true, watch, joint, dice.below(kFeedbackRoom + 1) - 1);
+    if (joint) ATTEMPT(true, watch, joint, dice.below(kMaxFeedback + 1) - 1);
 }
 
 void Player::destroy_joint(Dice& dice)

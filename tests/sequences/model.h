@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What should be alive: a second book of all objects, kept with plain containers and the rules of the guide,
-// beside the library's own. Lists have the order in which the library enumerates.
+// next to the library's own. Lists have the order in which the library enumerates.
 // Objects are never freed while the model lives, only marked dead: a pointer in the model cannot dangle.
 #pragma once
 

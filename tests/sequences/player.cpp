@@ -11,13 +11,13 @@
 namespace epode::sequences {
 namespace {
 
-Script* g_heard_by = nullptr;
+Script* g_refused_in = nullptr;
 
-void hear_debug(int, const char*, va_list)
+void count_refusal(int, const char*, va_list)
 {
-    if (g_heard_by) ++g_heard_by->refusals;
+    if (g_refused_in) ++g_refused_in->refusals;
 }
-void hear_message(int, const char*, va_list) {}
+void ignore_message(int, const char*, va_list) {}
 
 }  // namespace
 
@@ -31,14 +31,14 @@ std::uint64_t Dice::next()
 
 Player::Player()
 {
-    g_heard_by = &script;
-    dSetDebugHandler(hear_debug);
-    dSetMessageHandler(hear_message);
+    g_refused_in = &script;
+    dSetDebugHandler(count_refusal);
+    dSetMessageHandler(ignore_message);
 }
 
 Player::~Player()
 {
-    g_heard_by = nullptr;
+    g_refused_in = nullptr;
     dSetDebugHandler(nullptr);
     dSetMessageHandler(nullptr);
 }

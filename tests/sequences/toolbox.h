@@ -13,18 +13,19 @@
 #define TOOL static
 #endif
 
-enum { kMadeRoom = 16, kFeedbackRoom = 64 };
-TOOL dJointID made[kMadeRoom]; /* by the last call of meet() */
+enum { kMaxMade = 16, kMaxFeedback = 64 };
+TOOL dJointID made[kMaxMade]; /* by the last call of meet() */
 TOOL int made_count;
-TOOL dJointFeedback feedback[kFeedbackRoom];
+TOOL dJointFeedback feedback[kMaxFeedback];
 TOOL const double kHeights[16] = {0, 0.3, 0.1, 0, 0.2, 0.5, 0.4, 0.1, 0, 0.6, 0.2, 0.3, 0.1, 0, 0.2, 0};
 
 /* Contacts of two geoms become joints between their bodies, where these belong to `w`. */
-TOOL void meet(dWorldID w, dJointGroupID group, dGeomID a, dGeomID b, int most, int mode)
+TOOL void meet(dWorldID w, dJointGroupID group, dGeomID a, dGeomID b, int capacity, int mode)
 {
-    dContact contact[kMadeRoom];
+    dContact contact[kMaxMade];
     dBodyID b1 = dGeomGetBody(a), b2 = dGeomGetBody(b);
-    int i, n = dCollide(a, b, most < kMadeRoom ? most : (int)kMadeRoom, &contact[0].geom, sizeof contact[0]);
+    int i, n = dCollide(a, b, capacity < kMaxMade ? capacity : (int)kMaxMade, &contact[0].geom,
+                        sizeof contact[0]);
     made_count = 0;
     if ((b1 && dBodyGetWorld(b1) != w) || (b2 && dBodyGetWorld(b2) != w) || b1 == b2) return;
     for (i = 0; i < n; ++i) {

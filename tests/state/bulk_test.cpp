@@ -22,7 +22,7 @@ std::vector<dReal> read(const std::vector<dBodyID>& bodies, unsigned fields, int
 
 TEST(BodyStates, are_what_each_body_says)
 {
-    Scene a({.piles = 2}), b({.managed = false, .piles = 1});
+    Scene a({.piles = 2}), b({.world_contacts = false, .piles = 1});
     a.steps(3), b.steps(2);
     std::vector<dBodyID> bodies = a.bodies;
     bodies.insert(bodies.end(), b.bodies.begin(), b.bodies.end());
@@ -49,7 +49,7 @@ TEST(BodyStates, are_what_each_body_says)
 TEST(BodyStates, set_as_the_setters_do)
 {
     const Messages messages;
-    const Setting setting{.stepper = Stepper::kSmallSteps};
+    const Setting setting{.stepper = Stepper::kSubsteps};
     Scene many(setting), single(setting);
     many.steps(30), single.steps(30);
     std::vector<dReal> rows = read(many.bodies, kAll, 20);
@@ -79,9 +79,9 @@ TEST(BodyStates, are_all_refused_where_one_is)
     const int count = int(scene.bodies.size());
     const auto refused = [&](const std::vector<dBodyID>& bodies, int n, unsigned fields, const dReal* in,
                              int stride) {
-        const int heard = Messages::count();
+        const int before = Messages::count();
         EXPECT_EQ(dBodiesSetStates(bodies.data(), n, fields, in, stride), 0);
-        EXPECT_EQ(Messages::count(), heard + 1);
+        EXPECT_EQ(Messages::count(), before + 1);
         EXPECT_TRUE(scene.save() == before);
     };
     std::vector<dBodyID> bodies = scene.bodies;

@@ -30,13 +30,13 @@ dWorldID load(const Bytes& file, dSpaceID* space = nullptr)
 
 void expect_refused(const Bytes& file, const char* text)
 {
-    const int heard = Messages::count();
+    const int before = Messages::count();
     EXPECT_EQ(load(file), nullptr) << text;
-    EXPECT_EQ(Messages::count(), heard + 1);
+    EXPECT_EQ(Messages::count(), before + 1);
     EXPECT_NE(Messages::last().find(text), std::string::npos) << Messages::last();
 }
 
-TEST(WorldFileRefusals, name_the_first_thing_wrong)
+TEST(WorldFileRefusals, name_the_first_fault)
 {
     const Messages messages;
     RichScene scene({.piles = 1});
@@ -88,7 +88,7 @@ TEST(WorldFileRefusals, during_a_step)
 
 void destroy(dWorldID world, dSpaceID space)
 {
-    const Running running{world, space, dJointGroupCreate(0), Stepper::kSmallSteps, true};
+    const Running running{world, space, dJointGroupCreate(0), Stepper::kSubsteps, true};
     for (int i = 0; i < 2; ++i) running.step();
     dJointGroupDestroy(running.contacts);
     dWorldDestroy(world);
@@ -132,7 +132,7 @@ TEST(HostileWorldFiles, are_refused_or_taken_without_harm)
 {
     const Messages messages;
     std::mt19937 random(11);
-    RichScene scene({.stepper = Stepper::kSmallSteps, .piles = 2});
+    RichScene scene({.stepper = Stepper::kSubsteps, .piles = 2});
     scene.steps(20);
     const Bytes good = file_of(scene.world, scene.space);
     int taken = 0, refused = 0;
@@ -141,13 +141,13 @@ TEST(HostileWorldFiles, are_refused_or_taken_without_harm)
         mutate(file, random);
         seal(file);
         dSpaceID space = nullptr;
-        const int heard = Messages::count();
+        const int before = Messages::count();
         if (const dWorldID world = load(file, &space)) {
             destroy(world, space);
             ++taken;
         } else {
             ++refused;
-            ASSERT_EQ(Messages::count(), heard + 1);
+            ASSERT_EQ(Messages::count(), before + 1);
         }
     }
     EXPECT_GT(taken, mutations() / 20);
@@ -224,7 +224,7 @@ TEST(CopiesWithoutMemory, leave_nothing_behind)
     dSetAllocHandler(&alloc), dSetReallocHandler(&grow), dSetFreeHandler(&give);
     {
         const Messages messages;
-        RichScene scene({.stepper = Stepper::kSmallSteps, .piles = 1});
+        RichScene scene({.stepper = Stepper::kSubsteps, .piles = 1});
         scene.steps(10);
         const Bytes file = file_of(scene.world, scene.space);
         expect_clean_failures(scene, [&] {

@@ -153,7 +153,7 @@ void RichScene::add_drives()
 }
 
 Copy::Copy(const Scene& scene, dWorldID world, dSpaceID space, bool owns_meshes)
-    : running{world, space, dJointGroupCreate(0), scene.setting.stepper, scene.setting.managed},
+    : running{world, space, dJointGroupCreate(0), scene.setting.stepper, scene.setting.world_contacts},
       owns_meshes_(owns_meshes)
 {}
 

@@ -42,24 +42,25 @@ std::vector<Case> cases()
 {
     std::vector<Case> all;
     for (const Stepper stepper : kSteppers)
-        for (const bool managed : {true, false})
+        for (const bool world_contacts : {true, false})
             for (const bool file : {true, false})
-                all.push_back({{.stepper = stepper, .managed = managed, .piles = 4}, file});
+                all.push_back({{.stepper = stepper, .world_contacts = world_contacts, .piles = 4}, file});
     all.push_back({{.stepper = Stepper::kQuick, .exact_rotation = true, .piles = 2, .threads = 3}, true});
     return all;
 }
 
 INSTANTIATE_TEST_SUITE_P(Settings, Copies, testing::ValuesIn(cases()), [](const auto& one) {
     const Case& c = one.param;
-    return std::string(name_of(c.setting.stepper)) + (c.setting.managed ? "_managed" : "_joints") +
-           (c.file ? "_file" : "_clone") + (c.setting.threads > 1 ? "_threads" : "");
+    return std::string(name_of(c.setting.stepper)) +
+           (c.setting.world_contacts ? "_world_contacts" : "_joints") + (c.file ? "_file" : "_clone") +
+           (c.setting.threads > 1 ? "_threads" : "");
 });
 
 // A copy of a copy is the same file: nothing gets lost on the way.
 TEST(Files, of_copies_have_the_same_bytes)
 {
     const Messages messages;
-    RichScene scene({.stepper = Stepper::kSmallSteps});
+    RichScene scene({.stepper = Stepper::kSubsteps});
     scene.steps(30);
     const Bytes file = file_of(scene.world, scene.space);
     const Copy loaded = Copy::loaded(scene), clone = Copy::cloned(scene);

@@ -42,7 +42,7 @@ class Program {
         space_ = dHashSpaceCreate(nullptr);
         dWorldSetGravity(world, 0, 0, dReal(-9.81));
         dWorldSetAutoDisableFlag(world, 1);
-        if (setting.managed) dWorldSetContactSpace(world, space_);
+        if (setting.world_contacts) dWorldSetContactSpace(world, space_);
         dCreatePlane(space_, 0, 0, 1, 0);
         for (unsigned i = 0; i < 8; ++i) create({0, i, i, dReal(i % 3), dReal(i / 3)});
     }
@@ -153,7 +153,7 @@ class Program {
   private:
     static constexpr int kFrames = 6;
 
-    Running running() const { return {world, space_, contacts_, setting_.stepper, setting_.managed}; }
+    Running running() const { return {world, space_, contacts_, setting_.stepper, setting_.world_contacts}; }
 
     template <typename Id>
     static Id taken(std::vector<Id>& from, unsigned i)
@@ -291,7 +291,8 @@ class MovingTwins : public testing::TestWithParam<int> {};
 TEST_P(MovingTwins, stay_alike_although_one_goes_from_copy_to_copy)
 {
     const Messages messages;
-    const Setting setting{.stepper = kSteppers[std::size_t(GetParam()) % 4], .managed = GetParam() < 4};
+    const Setting setting{.stepper = kSteppers[std::size_t(GetParam()) % 4],
+                          .world_contacts = GetParam() < 4};
     Program one(setting), twin(setting);
     one.keep_history();
     Random random(unsigned(29 + GetParam()));

@@ -41,7 +41,7 @@ class Arm {
             if (done == 60) dBodyAddForce(load, 0, 0, -50000);  // the blow
             if (stepper == Stepper::kExact) dWorldStep(world, kStep);
             if (stepper == Stepper::kQuick) dWorldQuickStep(world, kStep);
-            if (stepper == Stepper::kSmallSteps) dWorldStepFast1(world, kStep, 4);
+            if (stepper == Stepper::kSubsteps) dWorldStepFast1(world, kStep, 4);
             if (stepper == Stepper::kHybrid) dWorldStepHybrid(world, kStep);
         }
     }

@@ -10,7 +10,7 @@ namespace {
 
 std::string describe(const Setting& s, int at)
 {
-    return std::string(name_of(s.stepper)) + (s.managed ? " managed" : " ODE's way") + " from step " +
+    return std::string(name_of(s.stepper)) + (s.world_contacts ? " managed" : " ODE's way") + " from step " +
            std::to_string(at);
 }
 
@@ -18,10 +18,11 @@ std::vector<Setting> settings()
 {
     std::vector<Setting> all;
     for (const Stepper stepper : kSteppers)
-        for (const bool managed : {true, false}) all.push_back({.stepper = stepper, .managed = managed});
+        for (const bool world_contacts : {true, false})
+            all.push_back({.stepper = stepper, .world_contacts = world_contacts});
     all.push_back({.exact_rotation = true});
-    all.push_back({.stepper = Stepper::kSmallSteps, .sleeps = false});
-    all.push_back({.stepper = Stepper::kSmallSteps, .joints = false, .piles = 40});
+    all.push_back({.stepper = Stepper::kSubsteps, .sleeps = false});
+    all.push_back({.stepper = Stepper::kSubsteps, .joints = false, .piles = 40});
     return all;
 }
 

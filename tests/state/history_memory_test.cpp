@@ -77,20 +77,20 @@ TEST(HistoryMemory, a_step_without_memory_for_its_frame_begins_a_new_history)
 {
     const Hooks hooks;
     const Messages messages;
-    Scene scene({.managed = false, .joints = false, .piles = 1}),
-        twin({.managed = false, .joints = false, .piles = 1});
+    Scene scene({.world_contacts = false, .joints = false, .piles = 1}),
+        twin({.world_contacts = false, .joints = false, .piles = 1});
     for (Scene* s : {&scene, &twin}) s->steps(30);
     ASSERT_EQ(dWorldSetHistory(scene.world, 40), 1);
     int lost = 0;
     for (int i = 0; i < 60; ++i) {
         if (i % 3 == 0) g_left = 0;
-        const int heard = Messages::count(), had = dWorldGetHistoryFrames(scene.world);
+        const int before = Messages::count(), had = dWorldGetHistoryFrames(scene.world);
         if (dWorldStep(scene.world, dReal(0.01)) == 1) {
             ASSERT_EQ(dWorldStep(twin.world, dReal(0.01)), 1);
             const bool emptied = dWorldGetHistoryFrames(scene.world) < had;
             lost += emptied;
-            EXPECT_TRUE(!emptied || Messages::count() > heard);
-            EXPECT_TRUE(Messages::count() == heard || dWorldGetHistoryFrames(scene.world) == 0);
+            EXPECT_TRUE(!emptied || Messages::count() > before);
+            EXPECT_TRUE(Messages::count() == before || dWorldGetHistoryFrames(scene.world) == 0);
         }
         g_left = -1;
         ASSERT_EQ(difference(scene.save(), twin.save()), "");
@@ -103,7 +103,7 @@ TEST(HistoryMemory, a_step_without_memory_for_its_frame_begins_a_new_history)
 TEST(HistoryMemory, a_warm_step_takes_none)
 {
     const Hooks hooks;
-    Scene scene({.stepper = Stepper::kSmallSteps});
+    Scene scene({.stepper = Stepper::kSubsteps});
     dWorldSetHistory(scene.world, 10);
     scene.steps(600);
     g_taken = 0;

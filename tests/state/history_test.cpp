@@ -244,7 +244,7 @@ TEST_F(History, names_what_cannot_come_back_and_changes_nothing)
     EXPECT_NE(Messages::last().find("no history"), std::string::npos) << Messages::last();
 }
 
-TEST_F(History, tells_the_class_of_a_geom_that_went_with_its_space)
+TEST_F(History, names_the_class_of_a_geom_that_was_removed_with_its_space)
 {
     const dSpaceID inside = dSimpleSpaceCreate(nullptr);
     const dBodyID body = dBodyCreate(world);
@@ -301,11 +301,11 @@ void near(void* data, dGeomID a, dGeomID b);
 
 class Player {
   public:
-    Player(Stepper stepper, bool managed) : stepper_(stepper), managed_(managed)
+    Player(Stepper stepper, bool world_contacts) : stepper_(stepper), world_contacts_(world_contacts)
     {
         dWorldSetGravity(world, 0, 0, dReal(-9.81));
         dWorldSetAutoDisableFlag(world, 1);
-        if (managed) dWorldSetContactSpace(world, space_);
+        if (world_contacts) dWorldSetContactSpace(world, space_);
         dCreatePlane(space_, 0, 0, 1, 0);
         for (int i = 0; i < 6; ++i) create({0, unsigned(i), 0, dReal(i % 3), dReal(i / 3)});
     }
@@ -421,7 +421,7 @@ class Player {
     }
     void change_geom(const Operation& o)
     {
-        if (has.loose.empty() || !managed_) return;  // the program's own geoms are where it puts them
+        if (has.loose.empty() || !world_contacts_) return;  // the program's own geoms are where it puts them
         const dBodyID body = has.bodies[o.b % has.bodies.size()];
         dGeomSetBody(taken(has.loose, o.a), body);
     }
@@ -440,17 +440,18 @@ class Player {
     }
     void move_geom(const Operation& o)
     {
-        if (managed_ && !has.loose.empty()) dGeomSetPosition(has.loose[o.a % has.loose.size()], o.x, o.y, 0);
+        if (world_contacts_ && !has.loose.empty())
+            dGeomSetPosition(has.loose[o.a % has.loose.size()], o.x, o.y, 0);
     }
     void step()
     {
-        if (!managed_) dSpaceCollide(space_, this, near);
+        if (!world_contacts_) dSpaceCollide(space_, this, near);
         step_with(stepper_, world, kH, 3);
         dJointGroupEmpty(contacts_);
     }
 
     const Stepper stepper_;
-    const bool managed_;
+    const bool world_contacts_;
     const dSpaceID space_ = dHashSpaceCreate(nullptr);
     const dJointGroupID group_ = dJointGroupCreate(0), contacts_ = dJointGroupCreate(0);
 };

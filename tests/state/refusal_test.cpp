@@ -21,14 +21,14 @@ void seal(Bytes& state)
 void expect_refused(const Scene& scene, const Bytes& state, const char* text)
 {
     const Bytes before = scene.save();
-    const int heard = Messages::count();
+    const int before = Messages::count();
     EXPECT_FALSE(scene.load(state)) << text;
-    EXPECT_EQ(Messages::count(), heard + 1);
+    EXPECT_EQ(Messages::count(), before + 1);
     EXPECT_NE(Messages::last().find(text), std::string::npos) << Messages::last();
     EXPECT_TRUE(scene.save() == before) << text << ": something has changed";
 }
 
-TEST(StateRefusals, name_the_first_thing_that_differs)
+TEST(StateRefusals, name_the_first_difference)
 {
     const Messages messages;
     Scene scene({.piles = 2}), more({.piles = 3}), free({.joints = false, .piles = 2});
@@ -64,9 +64,9 @@ TEST(StateRefusals, name_the_first_thing_that_differs)
     expect_refused(scene, other, "ends too early");
     other = state, other.resize(other.size() + 4), seal(other);
     expect_refused(scene, other, "bytes too many");
-    Bytes room(state.size() - 1, 7);
-    EXPECT_EQ(dWorldGetState(scene.world, room.data(), room.size()), 0);
-    EXPECT_EQ(room, Bytes(state.size() - 1, 7));
+    Bytes buffer(state.size() - 1, 7);
+    EXPECT_EQ(dWorldGetState(scene.world, buffer.data(), buffer.size()), 0);
+    EXPECT_EQ(buffer, Bytes(state.size() - 1, 7));
     other = state, other.resize(state.size() + 100, 3);
     EXPECT_TRUE(scene.load(other)) << "bytes behind the end do not matter";
 }
@@ -74,12 +74,12 @@ TEST(StateRefusals, name_the_first_thing_that_differs)
 void try_in_step(dBodyID body)
 {
     const dWorldID world = dBodyGetWorld(body);
-    unsigned char room[64] = {};
+    unsigned char buffer[64] = {};
     EXPECT_EQ(dWorldGetStateSize(world), 0u);
-    EXPECT_EQ(dWorldGetState(world, room, sizeof room), 0);
-    EXPECT_EQ(dWorldSetState(world, room, sizeof room), 0);
-    EXPECT_EQ(dWorldGetStateDelta(world, room, sizeof room, nullptr, 0), 0u);
-    EXPECT_EQ(dWorldSetStateDelta(world, room, sizeof room, room, sizeof room), 0);
+    EXPECT_EQ(dWorldGetState(world, buffer, sizeof buffer), 0);
+    EXPECT_EQ(dWorldSetState(world, buffer, sizeof buffer), 0);
+    EXPECT_EQ(dWorldGetStateDelta(world, buffer, sizeof buffer, nullptr, 0), 0u);
+    EXPECT_EQ(dWorldSetStateDelta(world, buffer, sizeof buffer, buffer, sizeof buffer), 0);
     EXPECT_NE(Messages::last().find("during a step"), std::string::npos);
 }
 
@@ -145,8 +145,8 @@ TEST(HostileStates, are_refused_or_taken_without_harm)
     const Messages messages;
     std::mt19937 random(5);
     int refused = 0, taken = 0;
-    for (const bool managed : {true, false}) {
-        Scene scene({.stepper = Stepper::kSmallSteps, .managed = managed, .piles = 3});
+    for (const bool world_contacts : {true, false}) {
+        Scene scene({.stepper = Stepper::kSubsteps, .world_contacts = world_contacts, .piles = 3});
         scene.steps(40);
         const Bytes good = scene.save();
         scene.step();
@@ -157,7 +157,7 @@ TEST(HostileStates, are_refused_or_taken_without_harm)
             mutate(state, random);
             seal(state);
             const Bytes before = scene.save();
-            const int heard = Messages::count();
+            const int before = Messages::count();
             if (scene.load(state)) {
                 ++taken;
                 (void)scene.save();
@@ -170,7 +170,7 @@ TEST(HostileStates, are_refused_or_taken_without_harm)
                 ASSERT_TRUE(scene.load(good)) << Messages::last();
             } else {
                 ++refused;
-                ASSERT_EQ(Messages::count(), heard + 1);
+                ASSERT_EQ(Messages::count(), before + 1);
                 ASSERT_TRUE(scene.save() == before) << Messages::last() << " has changed something";
             }
         }
@@ -186,7 +186,7 @@ TEST(HostileStates, as_differences_are_refused_or_taken_without_harm)
 {
     const Messages messages;
     std::mt19937 random(6);
-    Scene scene({.stepper = Stepper::kSmallSteps, .piles = 3});
+    Scene scene({.stepper = Stepper::kSubsteps, .piles = 3});
     scene.steps(40);
     const Bytes base = scene.save();
     scene.step();
@@ -209,7 +209,7 @@ TEST(HostileStates, as_differences_are_refused_or_taken_without_harm)
 
 TEST(StateDelta, of_what_sleeps_costs_next_to_nothing)
 {
-    Scene scene({.stepper = Stepper::kSmallSteps, .joints = false, .piles = 60});
+    Scene scene({.stepper = Stepper::kSubsteps, .joints = false, .piles = 60});
     scene.steps(300);
     for (const dBodyID body : scene.bodies) dBodyDisable(body);
     scene.steps(3);

@@ -52,7 +52,7 @@ TEST_P(SameBits, on_every_machine_and_any_number_of_threads)
     const Golden& golden = kGolden[sizeof(dReal) == 4][index];
     for (const int threads : {1, 3}) {
         const Setting setting{
-            .stepper = kSteppers[index % 4], .managed = index < 4, .piles = 20, .threads = threads};
+            .stepper = kSteppers[index % 4], .world_contacts = index < 4, .piles = 20, .threads = threads};
         Scene scene(setting), other(setting);
         scene.steps(90);
         const Bytes saved = scene.save();

@@ -13,7 +13,7 @@ constexpr dReal kH = dReal(1) / 60;
 std::string g_last;
 int g_count = 0;
 
-void hear(int, const char* format, va_list arguments)
+void receive(int, const char* format, va_list arguments)
 {
     char text[400];
     std::vsnprintf(text, sizeof text, format, arguments);
@@ -49,7 +49,7 @@ Scene::Scene(const Setting& s)
     dWorldSetGravity(world, 0, 0, dReal(-9.81));
     dWorldSetStepThreads(world, s.threads);
     if (s.exact_rotation) dWorldSetExactRotation(world, 1);
-    if (s.managed) dWorldSetContactSpace(world, space);
+    if (s.world_contacts) dWorldSetContactSpace(world, space);
     if (s.sleeps) {
         dWorldSetAutoDisableFlag(world, 1);
         dWorldSetAutoDisableSteps(world, 4);
@@ -214,7 +214,7 @@ void Scene::add_joints()
     join(dJointCreateNull(world, nullptr), a(16), -1, [](dJointID) {});
 }
 
-void step_with(Stepper stepper, dWorldID world, dReal h, int small_steps)
+void step_with(Stepper stepper, dWorldID world, dReal h, int substeps)
 {
     switch (stepper) {
         case Stepper::kExact:
@@ -223,8 +223,8 @@ void step_with(Stepper stepper, dWorldID world, dReal h, int small_steps)
         case Stepper::kQuick:
             dWorldQuickStep(world, h);
             break;
-        case Stepper::kSmallSteps:
-            dWorldStepFast1(world, h, small_steps);
+        case Stepper::kSubsteps:
+            dWorldStepFast1(world, h, substeps);
             break;
         case Stepper::kHybrid:
             dWorldStepHybrid(world, h);
@@ -236,7 +236,7 @@ void Scene::step() { running().step(); }
 
 void Running::step() const
 {
-    if (!managed) dSpaceCollide(space, const_cast<Running*>(this), touch);
+    if (!world_contacts) dSpaceCollide(space, const_cast<Running*>(this), touch);
     step_with(stepper, world, kH, 4);
     dJointGroupEmpty(contacts);
 }
@@ -271,7 +271,7 @@ std::string difference(const Bytes& a, const Bytes& b)
 Messages::Messages()
 {
     g_last.clear(), g_count = 0;
-    dSetDebugHandler(hear), dSetMessageHandler(hear), dSetErrorHandler(hear);
+    dSetDebugHandler(receive), dSetMessageHandler(receive), dSetErrorHandler(receive);
 }
 
 Messages::~Messages() { dSetDebugHandler(nullptr), dSetMessageHandler(nullptr), dSetErrorHandler(nullptr); }

@@ -17,15 +17,15 @@
 
 namespace epode::states {
 
-enum class Stepper { kExact, kQuick, kSmallSteps, kHybrid };
-inline constexpr Stepper kSteppers[] = {Stepper::kExact, Stepper::kQuick, Stepper::kSmallSteps,
+enum class Stepper { kExact, kQuick, kSubsteps, kHybrid };
+inline constexpr Stepper kSteppers[] = {Stepper::kExact, Stepper::kQuick, Stepper::kSubsteps,
                                         Stepper::kHybrid};
 const char* name_of(Stepper stepper);
-void step_with(Stepper stepper, dWorldID world, dReal h, int small_steps);
+void step_with(Stepper stepper, dWorldID world, dReal h, int substeps);
 
 struct Setting {
     Stepper stepper = Stepper::kExact;
-    bool managed = true;  // contacts that the world manages, or in ODE's way
+    bool world_contacts = true;  // world-managed contacts, or in ODE's way
     bool joints = true;
     bool sleeps = true;
     bool exact_rotation = false;
@@ -41,7 +41,7 @@ struct Running {
     dSpaceID space;
     dJointGroupID contacts;
     Stepper stepper;
-    bool managed;
+    bool world_contacts;
     void step() const;  // contact joints are gone afterwards
 };
 
@@ -60,7 +60,7 @@ class Scene {
         for (int i = 0; i < count; ++i) step();
     }
 
-    Running running() const { return {world, space, contacts, setting.stepper, setting.managed}; }
+    Running running() const { return {world, space, contacts, setting.stepper, setting.world_contacts}; }
     Bytes save() const { return state_of(world); }
     bool load(const Bytes& state) const { return dWorldSetState(world, state.data(), state.size()) == 1; }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A world that is rolled back again and again, and a twin that never is. Both are told the same: random
+// A world that is rolled back again and again, and a twin that never is. Both receive the same: random
 // pushes, bodies woken, put to sleep, moved or made kinematic, geoms moved and disabled, motors and joints
-// changed, steps. One goes back to a state that it has kept, whole or as a difference, and is told once more
+// changed, steps. One goes back to a state that it has kept, whole or as a difference, and receives once more
 // what happened since; then both have the same bytes. EPODE_STATE_OPERATIONS in the environment: how many
 // operations in place of some thousands.
 #include <cstdlib>
@@ -48,7 +48,7 @@ void change_joint(Scene& s, const Operation& o)
 void apply(Scene& s, const Operation& o)
 {
     // Without a space of the world's, geoms are the program's.
-    if (!s.setting.managed && (o.kind == 7 || o.kind == 8)) return;
+    if (!s.setting.world_contacts && (o.kind == 7 || o.kind == 8)) return;
     const dBodyID body = s.bodies[o.object % s.bodies.size()];
     switch (o.kind) {
         case 0:
@@ -123,7 +123,8 @@ class Twins : public testing::TestWithParam<int> {};
 TEST_P(Twins, stay_alike_although_one_is_rolled_back)
 {
     const Messages messages;
-    const Setting setting{.stepper = kSteppers[std::size_t(GetParam()) % 4], .managed = GetParam() < 4};
+    const Setting setting{.stepper = kSteppers[std::size_t(GetParam()) % 4],
+                          .world_contacts = GetParam() < 4};
     Scene one(setting), twin(setting);
     Random random(unsigned(17 + GetParam()));
     std::vector<Operation> done;

@@ -38,7 +38,7 @@ std::uint64_t checksum_of_motion(dWorldID world)
 TEST(WorldFileVersions, are_read_for_ever)
 {
     const Messages messages;
-    RichScene scene({.stepper = Stepper::kSmallSteps, .piles = 1});
+    RichScene scene({.stepper = Stepper::kSubsteps, .piles = 1});
     scene.steps(20);
     if (const char* path = std::getenv("EPODE_WRITE_WORLD")) {
         ASSERT_EQ(dWorldSave(scene.world, scene.space, path), 1) << Messages::last();

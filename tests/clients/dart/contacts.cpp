@@ -133,10 +133,10 @@ double sunk(const Drawn& first, const Drawn& second, const Eigen::Isometry3d& at
 {
     if (kind < 4) return -9;
     Random random(1);
-    double most = -9;
+    double deepest = -9;
     for (int i = 0; i < 4000; ++i)
-        most = std::max(most, depth_under(*first.shape, at * point_of(random, *second.shape)));
-    return most;
+        deepest = std::max(deepest, depth_under(*first.shape, at * point_of(random, *second.shape)));
+    return deepest;
 }
 
 const dart::collision::Contact* deepest(const CollisionResult& result)

@@ -155,7 +155,7 @@ MU_CADE = [(40, ["+z"]), (60, ["-z"]), (100, ["+Right"]), (125, ["-Right", "+Lef
 
 
 def mu_cade(ours, reference, observer, folder):
-    """The player falls on to the arena and is driven about it, among creatures of nine linked bodies that fall beside it.
+    """The player falls on to the arena and is driven about it, among creatures of nine linked bodies that fall next to it.
 
     A step is a frame and the seed is the date, which stands still: two runs on one library are the same to the last digit.
     """
@@ -225,7 +225,7 @@ def from_frame(row):
 def xmoto(ours, reference, observer, folder):
     """The first level, nobody drives: the bike falls on to its wheels and stands, sprung, its rider on it.
 
-    Where it stands is told from the bodies: it may roll by centimetres to either side, and the camera looks far ahead where it rolls.
+    Where it stands is known from the bodies: it may roll by centimetres to either side, and the camera looks far ahead where it rolls.
     """
     command = ["/usr/games/xmoto", "-l", "tut1", "--nowww", "--nosound", "-win", "-res", "800x600"]
     play("first", reference, folder, command, 60)  # fills its data base, which takes time once

@@ -16,13 +16,13 @@
 #include <time.h>
 #include <unistd.h>
 
-#define NEXT(name)                   \
-    static __typeof__(&name) next;   \
+#define NEXT(name)                 \
+    static __typeof__(&name) next; \
     if (!next) next = (__typeof__(&name))dlsym(RTLD_NEXT, #name)
 
-enum { kMost = 4096, kTold = 64 };
+enum { kCapacity = 4096, kReported = 64 };
 
-static dBodyID bodies[kMost];
+static dBodyID bodies[kCapacity];
 static int count, contacts, steps;
 
 static FILE* out(void)
@@ -49,7 +49,7 @@ dBodyID dBodyCreate(dWorldID world)
 {
     NEXT(dBodyCreate);
     dBodyID body = next(world);
-    if (count < kMost) bodies[count++] = body;
+    if (count < kCapacity) bodies[count++] = body;
     return body;
 }
 
@@ -90,14 +90,15 @@ static void hold(void)
     }
 }
 
-static void tell(dReal h)
+static void report(dReal h)
 {
     if (!out()) return;
     fprintf(out(), "%d %g %d %d", steps++, h, count, contacts);
     contacts = 0;
-    for (int i = 0; i < count && i < kTold; ++i) {
+    for (int i = 0; i < count && i < kReported; ++i) {
         const dReal *p = dBodyGetPosition(bodies[i]), *v = dBodyGetLinearVel(bodies[i]);
-        fprintf(out(), " %.6f %.6f %.6f %.6f", p[0], p[1], p[2], sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+        fprintf(out(), " %.6f %.6f %.6f %.6f", p[0], p[1], p[2],
+                sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
     }
     fputc('\n', out());
     hold();
@@ -107,7 +108,7 @@ int dWorldQuickStep(dWorldID world, dReal h)
 {
     NEXT(dWorldQuickStep);
     const int done = next(world, h);
-    tell(h);
+    report(h);
     return done;
 }
 

@@ -64,7 +64,7 @@ class Yard : public oc::OpenDEEnvironment {
         low.assign(2, -20);
         high.assign(2, 20);
     }
-    void applyControl(const double* push) const override { dBodyAddForce(box, push[0], push[1], 0); }
+    void applyControl(const double* force) const override { dBodyAddForce(box, force[0], force[1], 0); }
     bool isValidCollision(dGeomID a, dGeomID b, const dContact&) const override
     {
         return a == ground || b == ground;
@@ -119,15 +119,15 @@ void show(const char* name, const ob::State* state)
 }
 
 // A hard push along x against friction, then let go: a = F/m - mu g, stops after v^2 / (2 mu g).
-void pushes(const oc::OpenDESimpleSetup& setup)
+void straight_drives(const oc::OpenDESimpleSetup& setup)
 {
     const double controls[][2] = {{10, 0}, {0, 0}, {-12, 8}, {0, 0}, {4, -3}, {0, 20}, {0, 0}};
     const auto space = setup.getSpaceInformation();
     ob::State* state = space->cloneState(setup.getCurrentState().get());
     oc::Control* control = space->allocControl();
-    for (const auto& push : controls) {
-        control->as<oc::RealVectorControlSpace::ControlType>()->values[0] = push[0];
-        control->as<oc::RealVectorControlSpace::ControlType>()->values[1] = push[1];
+    for (const auto& force : controls) {
+        control->as<oc::RealVectorControlSpace::ControlType>()->values[0] = force[0];
+        control->as<oc::RealVectorControlSpace::ControlType>()->values[1] = force[1];
         for (int i = 0; i < 5; ++i) {
             space->propagate(state, control, 10, state);
             show("push", state);
@@ -137,7 +137,7 @@ void pushes(const oc::OpenDESimpleSetup& setup)
     space->freeState(state);
 }
 
-bool plan(oc::OpenDESimpleSetup& setup)
+bool find_path(oc::OpenDESimpleSetup& setup)
 {
     if (setup.solve(60) != ob::PlannerStatus::EXACT_SOLUTION) return false;
     const oc::PathControl& path = setup.getSolutionPath();
@@ -182,8 +182,8 @@ int main()
         bounds.setLow(-20), bounds.setHigh(20);
         floor->setAngularVelocityBounds(bounds);
         setup.setup();
-        pushes(setup);
-        solved = plan(setup);
+        straight_drives(setup);
+        solved = find_path(setup);
     }
     dCloseODE();
     std::puts("#end");

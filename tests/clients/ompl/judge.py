@@ -66,7 +66,7 @@ def straight_speeds():
     return faster + [max(0, faster[-1] - slowing * 0.1 * (i + 1)) for i in range(5)]
 
 
-def judge_pushes(lines, other_lines):
+def judge_straight_drives(lines, other_lines):
     mine, theirs = rows(lines, "push"), rows(other_lines, "push")
     worst = max(abs(row[3] - speed) for row, speed in zip(mine, straight_speeds()))
     other = max(abs(row[3] - speed) for row, speed in zip(theirs, straight_speeds()))
@@ -75,7 +75,7 @@ def judge_pushes(lines, other_lines):
     require(len(theirs) == 35 and difference < 0.02, "drive: all pushes as there, to %.1e" % difference)
 
 
-def judge_plan(lines):
+def judge_path(lines):
     path = rows(lines, "plan")
     at_wall = [p for p in path if abs(p[0] - 1.5) < 0.3 and abs(p[1]) < 1.2]
     lifted = max(abs(p[2] - 0.1) for p in path)
@@ -92,8 +92,8 @@ def main(demo, drive, ours, reference):
     status, lines, messages = run(drive, ours)
     _, other_lines, _ = run(drive, reference)
     require(status == 0 and lines[-1] == "#end" and not messages, "drive: ends with %d %s" % (status, messages[:200]))
-    judge_pushes(lines, other_lines)
-    judge_plan(lines)
+    judge_straight_drives(lines, other_lines)
+    judge_path(lines)
     sys.exit("ompl: %d judgements failed" % len(failures) if failures else 0)
 
 

@@ -128,7 +128,7 @@ def free_fall():
     show("points", body.getRelPointPos((1, 2, 3)), body.getRelPointVel((1, 2, 3)), body.vectorToWorld((1, 0, 0)))
 
 
-def falling_things():
+def falling_bodies():
     world = make_world()
     space = ode.HashSpace()
     floor = ode.GeomPlane(space, (0, 0, 1), 0)
@@ -348,7 +348,7 @@ def sleeping():
 def main():
     ode.InitODE()
     print("#library", *library())
-    for part in (free_fall, falling_things, bouncing_ball, pendulum, motors, linked_bodies, car, rays, geoms, sleeping):
+    for part in (free_fall, falling_bodies, bouncing_ball, pendulum, motors, linked_bodies, car, rays, geoms, sleeping):
         part()
     # A last word from inside the process: PYTHONPATH cannot have replaced the extension by another one.
     print("#extension", os.path.realpath(ode.__file__))

@@ -15,7 +15,7 @@ import zlib
 
 
 class Screen:
-    """Counts the frames of the program, tells the observer, and says when the program shall end."""
+    """Counts the frames of the program, tells the observer, and says when the program must end."""
 
     def __init__(self, frames, on_frame, keys=()):
         self.frames = frames

@@ -25,15 +25,15 @@ FRAMES = {"tutorial2": 100, "tutorial3": 1000, "vehicle": 300, "transforms": 3}
 KEYS = {"vehicle": {100: "K_w"}}
 
 
-def show_things(frame, things):
-    for i, thing in enumerate(things):
-        falling.show("frame%d.%d.place" % (frame, i), thing.getPosition(), thing.getRotation())
-        body = thing if isinstance(thing, ode.Body) else thing.getBody()
+def show_objects(frame, objects):
+    for i, item in enumerate(objects):
+        falling.show("frame%d.%d.place" % (frame, i), item.getPosition(), item.getRotation())
+        body = item if isinstance(item, ode.Body) else item.getBody()
         if body:
             falling.show("frame%d.%d.motion" % (frame, i), body.getLinearVel(), body.getAngularVel())
 
 
-def things_of(name, program):
+def objects_of(name, program):
     if name == "tutorial2":
         return [program["body1"], program["body2"]]
     if name == "vehicle":
@@ -63,7 +63,7 @@ def run(folder, name):
 
     def on_frame(frame):
         with contextlib.redirect_stdout(sys.__stdout__):
-            show_things(frame, things_of(name, program))
+            show_objects(frame, objects_of(name, program))
             show_joints(frame, name, program)
 
     stand_ins.install(stand_ins.Screen(FRAMES.get(name, 0), on_frame, KEYS.get(name, {})), source)

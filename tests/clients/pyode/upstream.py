@@ -3,7 +3,7 @@
 # Copyright (c) 2026 The Epode authors
 """upstream.py SOURCE_FOLDER OUR_LIBRARY REFERENCE_LIBRARY: pyode's own tests and tutorials on two libraries, judged.
 
-Where a run is smooth its figures must be those of the reference; where it is chaotic (thirty boxes in a heap) or where the
+Where a run is smooth its figures must be those of the reference; where it is chaotic (thirty boxes in a pile) or where the
 reference ends the program, it must obey what is known of it: nothing below the floor by more than a stated depth, boxes at
 rest at their heights, wheels on their axles. The original library does not survive three of the eight runs (it is printed
 which); ours must survive them all.
@@ -67,14 +67,14 @@ def unit_tests(folder, ours, reference):
 
 
 def figures_of(lines):
-    """{frame: {name of thing and figure: numbers}}"""
+    """{frame: {name of item and figure: numbers}}"""
     frames = {}
     for line in lines:
         name, *words = line.split()
         found = FRAME.match(name)
         if found:
-            frame, thing, kind = found.groups()
-            frames.setdefault(int(frame), {})[thing, kind] = [float(word) for word in words]
+            frame, item, kind = found.groups()
+            frames.setdefault(int(frame), {})[item, kind] = [float(word) for word in words]
     return frames
 
 
@@ -118,10 +118,10 @@ def pendulum_keeps_its_rods(frames):
 def transforms_compose(frames):
     """transforms: turns of 30 degrees about y, x and z and again within, scaled by 1.25 each; nothing moves."""
     cosines = {"0": 3, "1": 1 + 2 * 0.75 ** 0.5, "2": 2, "3": 1 + 2 * 0.75 ** 0.5, "4": 2, "5": 1 + 2 * 0.75 ** 0.5, "6": 2}
-    places = {thing: numbers for (thing, kind), numbers in frames[1].items() if kind == "place"}
-    worst = max(abs(numbers[3] + numbers[7] + numbers[11] - cosines[thing]) for thing, numbers in places.items())
+    places = {item: numbers for (item, kind), numbers in frames[1].items() if kind == "place"}
+    worst = max(abs(numbers[3] + numbers[7] + numbers[11] - cosines[item]) for item, numbers in places.items())
     require(len(places) == 7 and worst < 1e-12, "transforms: the trace of each rotation is 1 + 2 cos, to %.1e" % worst)
-    moved = max(compare.worst_difference(frames[frame][thing, "place"], places[thing]) for frame in frames for thing in places)
+    moved = max(compare.worst_difference(frames[frame][item, "place"], places[item]) for frame in frames for item in places)
     require(moved < 1e-14 and len(frames) >= 3, "transforms: what has no speed stays where it is, to %.1e" % moved)
 
 
@@ -129,11 +129,11 @@ def lowest_corner(place, half):
     return place[1] - sum(abs(place[6 + i]) * half[i] for i in range(3))
 
 
-def heap_obeys(frames, theirs):
+def pile_obeys(frames, theirs):
     """tutorial3: thirty boxes of 1 x 0.2 x 0.2 m dropped from 3 m, then thrown apart and pulled together."""
     def depth(all_frames):
-        return -min(lowest_corner(numbers, (0.5, 0.1, 0.1)) for things in all_frames.values()
-                    for (_, kind), numbers in things.items() if kind == "place")
+        return -min(lowest_corner(numbers, (0.5, 0.1, 0.1)) for objects in all_frames.values()
+                    for (_, kind), numbers in objects.items() if kind == "place")
 
     def speed(frame):
         return max(sum(x * x for x in numbers[:3]) ** 0.5 for (_, kind), numbers in frames[frame].items() if kind == "motion")
@@ -161,11 +161,11 @@ def heap_obeys(frames, theirs):
 def wall_and_vehicle_stand(frames):
     """vehicle: at rest after 2 s the wheels (radius 1) are on the ground at -4, the wall's boxes of 0.5 m one on the other."""
     last = frames[max(frames)]
-    wheels = [numbers for (thing, kind), numbers in last.items() if kind == "place" and thing in ("2", "3", "4")]
+    wheels = [numbers for (item, kind), numbers in last.items() if kind == "place" and item in ("2", "3", "4")]
     require(max(abs(place[1] + 3) for place in wheels) < 1e-4, "vehicle: wheels touch the ground")
-    gaps = [abs(a - b) for (thing, kind), numbers in last.items() if thing.startswith("joint") for a, b in zip(numbers[0:3], numbers[3:6])]
+    gaps = [abs(a - b) for (item, kind), numbers in last.items() if item.startswith("joint") for a, b in zip(numbers[0:3], numbers[3:6])]
     require(len(gaps) == 9 and max(gaps) < 1e-4, "vehicle: wheels sit on their axles to %.1e m" % max(gaps))
-    heights = sorted(numbers[1] for (thing, kind), numbers in last.items() if kind == "place" and int(thing) > 4)
+    heights = sorted(numbers[1] for (item, kind), numbers in last.items() if kind == "place" and int(item) > 4)
     expected = sorted(-3.75 + 0.5 * (i % 7) for i in range(63))
     worst = max(abs(a - b) for a, b in zip(heights, expected))
     require(len(heights) == 63 and worst < 0.01, "vehicle: the 63 boxes of the wall stand one on the other, to %.1e m" % worst)
@@ -178,7 +178,7 @@ def main(folder, ours, reference):
         mine, _ = tutorial(folder, name, ours, reference)
         if judge:
             judge(mine)
-    heap_obeys(*tutorial(folder, "tutorial3", ours, reference))
+    pile_obeys(*tutorial(folder, "tutorial3", ours, reference))
     sys.exit("pyode: %d judgements failed" % len(failures) if failures else 0)
 
 

@@ -7,10 +7,10 @@
 // the program return 1. `client bits` asks in addition that threads change no bit, which Debian's library does
 // not promise.
 #include <math.h>
+#include <ode/ode.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <ode/ode.h>
 
 #include "own_threads.h"
 
@@ -63,13 +63,14 @@ static void build(struct scene* s)
 typedef int step_function(dWorldID, dReal);
 
 /* Runs the scene, writes positions and velocities of all bodies. */
-static void run(const dThreadingFunctionsInfo* functions, dThreadingImplementationID impl, unsigned most,
-                step_function* step, int steps, double* out)
+static void run(const dThreadingFunctionsInfo* functions, dThreadingImplementationID impl,
+                unsigned max_threads, step_function* step, int steps, double* out)
 {
     static struct scene s;
     build(&s);
-    dWorldSetStepIslandsProcessingMaxThreadCount(s.world, most);
-    if (dWorldGetStepIslandsProcessingMaxThreadCount(s.world) != most) judge("thread limit is read back", 0);
+    dWorldSetStepIslandsProcessingMaxThreadCount(s.world, max_threads);
+    if (dWorldGetStepIslandsProcessingMaxThreadCount(s.world) != max_threads)
+        judge("thread limit is read back", 0);
     if (impl) dWorldSetStepThreadingImplementation(s.world, functions, impl);
     for (int i = 0; i < steps; ++i)
         if (step(s.world, (dReal)0.005) != 1) judge("a step was made", 0);
@@ -86,12 +87,12 @@ static void run(const dThreadingFunctionsInfo* functions, dThreadingImplementati
 
 static double worst(const double* a, const double* b)
 {
-    double most = 0;
+    double largest = 0;
     for (int i = 0; i < NUMBERS; ++i) {
         const double off = fabs(a[i] - b[i]) / (1 + fabs(a[i]));
-        if (!(off <= most)) most = off; /* NaN too */
+        if (!(off <= largest)) largest = off; /* NaN too */
     }
-    return most;
+    return largest;
 }
 
 /* QuickStep of the original draws random orders from all threads: there only the size is judged. */

@@ -130,7 +130,7 @@ DIFFERENCE(G6, nearest, "of the hits of a ray for which there is room for one, t
     return count == 2 && near(c[0].depth, 1, 1e-6) && near(c[1].depth, 1, 1e-6);
 }
 
-// A ball beside a ridge: what pushes it goes through its middle.
+// A ball next to a ridge: what pushes it goes through its middle.
 DIFFERENCE(G10, ridge, "a ball on a mesh's ridge is pushed through its middle")
 {
     const std::vector<double> p = {-1, -5, -1, -1, 5, -1, 0, -5, 0, 0, 5, 0, 1, -5, -1, 1, 5, -1};

@@ -11,18 +11,19 @@
 namespace differences {
 namespace {
 
-constexpr int kRoom = 16;
+constexpr int kCapacity = 16;
 
 struct Contacts {
-    dContactGeom at[kRoom] = {};
+    dContactGeom at[kCapacity] = {};
     int count;
-    Contacts(dGeomID a, dGeomID b, int room = kRoom) : count(dCollide(a, b, room, at, sizeof(dContactGeom)))
+    Contacts(dGeomID a, dGeomID b, int capacity = kCapacity)
+        : count(dCollide(a, b, capacity, at, sizeof(dContactGeom)))
     {}
     double deepest() const
     {
-        double most = 0;
-        for (int i = 0; i < count; ++i) most = std::fmax(most, at[i].depth);
-        return most;
+        double deepest = 0;
+        for (int i = 0; i < count; ++i) deepest = std::fmax(deepest, at[i].depth);
+        return deepest;
     }
 };
 
@@ -279,7 +280,7 @@ DIFFERENCE(C37, scaled, "a quaternion of another length does not scale a geom")
     return near(bounds[5] - bounds[4], 1, 1e-9);
 }
 
-DIFFERENCE(C38, diagonal, "a space reports few of the geoms beside a diagonal ray")
+DIFFERENCE(C38, diagonal, "a space reports few of the geoms near a diagonal ray")
 {
     const dSpaceID space = dHashSpaceCreate(nullptr);
     for (int x = 0; x < 20; ++x)
@@ -353,7 +354,7 @@ DIFFERENCE(G9, arrays, "a convex keeps its shape when the arrays that it was mad
     return Contacts(convex, plane).count == 4;
 }
 
-DIFFERENCE(G11, moved, "a convex that is set anew has the bounding box of its new shape")
+DIFFERENCE(G11, moved, "a convex that is set again has the bounding box of its new shape")
 {
     const dSpaceID space = dSimpleSpaceCreate(nullptr);
     const dGeomID convex = cube();

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Runs of 100 steps under gravity with PR, PU and piston joints and with rods: hanging, driven, into their
-// stops; and joints attached anew on the way, which take their geometry along.
+// stops; and joints attached again on the way, which take their geometry along.
 #include "limit_states.h"
 
 namespace parity {
@@ -139,7 +139,7 @@ PARITY_CASE(run_pu)
     out.put("angles", {dJointGetPUAngle1(pu), dJointGetPUAngle2(pu)});
 }
 
-// ---- attached anew ----
+// ---- attached again ----
 
 using Put = void (*)(Output&, const std::string&, dJointID);
 
@@ -229,7 +229,7 @@ const Kind kKinds[] = {
 };
 
 // From each way of attaching to each other way, with fresh geometry and with old.
-PARITY_CASE(step_attached_anew)
+PARITY_CASE(step_attached_again)
 {
     for (const Kind& kind : kKinds) {
         for (int from = 0; from < 4; ++from) {
@@ -257,7 +257,7 @@ PARITY_CASE(step_attached_anew)
                 set_random_pose(a, rng, 1.0);
                 set_random_pose(b, rng, 1.0);
                 attach(to);
-                kind.put(out, "anew", joint);
+                kind.put(out, "again", joint);
                 dWorldDestroy(world);
             }
         }

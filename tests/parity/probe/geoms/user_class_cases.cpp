@@ -14,7 +14,7 @@ namespace {
 
 std::string story;
 
-void tell(const char* words) { story += words; }
+void note(const char* words) { story += words; }
 
 struct BallData {
     double radius;
@@ -52,11 +52,11 @@ dColliderFn* choose(int other)
 
 int veto(dGeomID, dGeomID b, dReal*)
 {
-    tell("veto;");
+    note("veto;");
     return dGeomGetClass(b) == dBoxClass ? 0 : 1;
 }
 
-void destroyed(dGeomID) { tell("destroyed;"); }
+void destroyed(dGeomID) { note("destroyed;"); }
 
 int make_class(bool tests)
 {

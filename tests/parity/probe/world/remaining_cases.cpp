@@ -3,7 +3,7 @@
 //
 // Functions that are second names or halves of others: capped cylinders, identities, the two halves of
 // dJointSetHinge2Axes, the second offset of a universal, world settings one by one, orthogonalisation.
-#include "every_joint.h"
+#include "joints/every_joint.h"
 
 #include <cmath>
 
@@ -163,7 +163,7 @@ PARITY_CASE(world_single_settings)
     dWorldDestroy(world);
 }
 
-// The box of a geom is made anew when it has moved. A client that writes into the position it was given says
+// The box of a geom is computed again when it has moved. A client that writes into the position it was given says
 // so.
 PARITY_CASE(geom_marked_moved)
 {

@@ -6,7 +6,7 @@
 // there, and bodies and feedback are compared to 1e-9. Of contacts, friction limits follow the present normal
 // force, so the limit differs from that of dWorldStep and is compared as well. One iteration of one row is
 // the exact answer, and zero iterations are none.
-#include "every_joint.h"
+#include "joints/every_joint.h"
 
 namespace parity {
 namespace {

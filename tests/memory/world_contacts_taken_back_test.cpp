@@ -86,9 +86,9 @@ class Yard {
     std::vector<dBodyID> bodies_;
 };
 
-struct ManagedTakenBack : testing::TestWithParam<Setting> {};
+struct WorldContactsTakenBack : testing::TestWithParam<Setting> {};
 
-TEST_P(ManagedTakenBack, wherever_the_working_memory_ends)
+TEST_P(WorldContactsTakenBack, wherever_the_working_memory_ends)
 {
     const Library library;
     Yard poor(GetParam()), rich(GetParam());
@@ -111,7 +111,7 @@ TEST_P(ManagedTakenBack, wherever_the_working_memory_ends)
 
 constexpr Setting kSettings[] = {{Stepper::kFast, 1, false}, {Stepper::kFast, 3, true}};
 
-INSTANTIATE_TEST_SUITE_P(Settings, ManagedTakenBack, testing::ValuesIn(kSettings), name_of);
+INSTANTIATE_TEST_SUITE_P(Settings, WorldContactsTakenBack, testing::ValuesIn(kSettings), name_of);
 
 }  // namespace
 }  // namespace epode::memory

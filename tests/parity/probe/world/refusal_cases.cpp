@@ -5,7 +5,7 @@
 // its own; "refused" is a call that reached the debug handler, "taken" one that returned without a word. Ours
 // must refuse what the original refuses and take what it takes, except for the calls at the foot, on which
 // the two differ on purpose (differences.tsv, E1): their names begin with "ours-".
-#include "every_joint.h"
+#include "joints/every_joint.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -275,7 +275,7 @@ const Call kLockedCalls[] = {
      }},
 };
 
-// What the original takes or crashes on and we refuse; and a question without an answer that it dies of.
+// What the original takes or crashes on and we refuse; and a call without an answer that it dies of.
 const Call kOurs[] = {
     {"low-level-nothing",
      [](Scene& s) {

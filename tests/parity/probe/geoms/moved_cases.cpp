@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Moved callbacks: who is told, how often, and what the body and its geoms look like at that moment (new
+// Moved callbacks: who is called, how often, and what the body and its geoms look like at that moment (new
 // pose, velocity before damping, accumulators still full). Forces are looked at under dWorldStep only,
 // because in the original's QuickStep the torque has been scaled by then.
 #include "rig.h"

@@ -120,7 +120,7 @@ int count_triangle(dGeomID mesh, dGeomID ray, int triangle)
     return triangle % 5 != 0;
 }
 
-void tell(dGeomID, dGeomID, const int*, int) {}
+void take_array(dGeomID, dGeomID, const int*, int) {}
 int merge(dGeomID, int first, int) { return first; }
 
 // Hits in the order of their depths: the original's order is that of its tree.
@@ -216,16 +216,16 @@ PARITY_CASE(trimesh_settings)
                      dGeomTriMeshGetRayCallback(s.geom) == nullptr ? 1.0 : 0.0,
                      dGeomTriMeshGetTriMergeCallback(s.geom) == nullptr ? 1.0 : 0.0});
     dGeomTriMeshSetCallback(s.geom, count_triangle);
-    dGeomTriMeshSetArrayCallback(s.geom, tell);
+    dGeomTriMeshSetArrayCallback(s.geom, take_array);
     dGeomTriMeshSetRayCallback(s.geom, count_ray);
     dGeomTriMeshSetTriMergeCallback(s.geom, merge);
     out.put("set", {dGeomTriMeshGetCallback(s.geom) == count_triangle ? 1.0 : 0.0,
-                    dGeomTriMeshGetArrayCallback(s.geom) == tell ? 1.0 : 0.0,
+                    dGeomTriMeshGetArrayCallback(s.geom) == take_array ? 1.0 : 0.0,
                     dGeomTriMeshGetRayCallback(s.geom) == count_ray ? 1.0 : 0.0,
                     dGeomTriMeshGetTriMergeCallback(s.geom) == merge ? 1.0 : 0.0});
-    const dGeomID made = dCreateTriMesh(nullptr, s.data, count_triangle, tell, count_ray);
+    const dGeomID made = dCreateTriMesh(nullptr, s.data, count_triangle, take_array, count_ray);
     out.put("made", {dGeomTriMeshGetCallback(made) == count_triangle ? 1.0 : 0.0,
-                     dGeomTriMeshGetArrayCallback(made) == tell ? 1.0 : 0.0,
+                     dGeomTriMeshGetArrayCallback(made) == take_array ? 1.0 : 0.0,
                      dGeomTriMeshGetRayCallback(made) == count_ray ? 1.0 : 0.0});
     dGeomDestroy(made);
 }

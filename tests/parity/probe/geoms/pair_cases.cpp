@@ -17,13 +17,13 @@
 namespace parity {
 namespace {
 
-constexpr int kRoom = 32;
+constexpr int kCapacity = 32;
 constexpr double kMargin = 0.01;  // of a sampled point inside both
 constexpr double kLeft = 1e-3;    // overlap that may be left after separating
 
-int collide(dGeomID a, dGeomID b, std::array<dContactGeom, kRoom>& contacts)
+int collide(dGeomID a, dGeomID b, std::array<dContactGeom, kCapacity>& contacts)
 {
-    return dCollide(a, b, kRoom, contacts.data(), sizeof(dContactGeom));
+    return dCollide(a, b, kCapacity, contacts.data(), sizeof(dContactGeom));
 }
 
 bool is_ray_pair(Kind a, Kind b) { return a == Kind::kRay || b == Kind::kRay; }
@@ -40,7 +40,7 @@ double is_apart_after_move(const Placed& first, const Placed& second, const dCon
     const dReal* p = dGeomGetPosition(moved);
     dGeomSetPosition(moved, p[0] + s * deepest.normal[0], p[1] + s * deepest.normal[1],
                      p[2] + s * deepest.normal[2]);
-    std::array<dContactGeom, kRoom> contacts;
+    std::array<dContactGeom, kCapacity> contacts;
     const int count = collide(a, b, contacts);
     for (int i = 0; i < count; ++i) {
         if (contacts[static_cast<std::size_t>(i)].depth > kLeft) { return 0; }
@@ -52,7 +52,7 @@ void put_pose(Output& out, const std::string& key, const Placed& a, const Placed
 {
     Random samples("inside" + key);
     const double shared = !rays && share_a_point(a, b, kMargin, samples) ? 1 : 0;
-    std::array<dContactGeom, kRoom> contacts = {};
+    std::array<dContactGeom, kCapacity> contacts = {};
     const int count = collide(a.geom, b.geom, contacts);
     if (count == 0) {
         out.put(key, {0, 0, 0, 0, 0, 0, 1, shared});

@@ -22,34 +22,34 @@ namespace {
 
 double number(int x) { return static_cast<double>(x); }
 
-std::vector<double> heard;  // what handlers were called with
+std::vector<double> received;  // what handlers were called with
 
 void* loud_alloc(dsizeint size)
 {
-    heard.push_back(1);
-    heard.push_back(static_cast<double>(size));
+    received.push_back(1);
+    received.push_back(static_cast<double>(size));
     return std::malloc(size);
 }
 
 void* loud_realloc(void* p, dsizeint old_size, dsizeint new_size)
 {
-    heard.push_back(2);
-    heard.push_back(static_cast<double>(old_size));
-    heard.push_back(static_cast<double>(new_size));
+    received.push_back(2);
+    received.push_back(static_cast<double>(old_size));
+    received.push_back(static_cast<double>(new_size));
     return std::realloc(p, new_size);
 }
 
 void loud_free(void* p, dsizeint size)
 {
-    heard.push_back(3);
-    heard.push_back(static_cast<double>(size));
+    received.push_back(3);
+    received.push_back(static_cast<double>(size));
     std::free(p);
 }
 
-void put_heard(Output& out, const std::string& key)
+void put_received(Output& out, const std::string& key)
 {
-    out.put(key, heard.data(), static_cast<int>(heard.size()));
-    heard.clear();
+    out.put(key, received.data(), static_cast<int>(received.size()));
+    received.clear();
 }
 
 PARITY_CASE(service_memory)
@@ -62,7 +62,7 @@ PARITY_CASE(service_memory)
     out.put("kept", {number(plain[0]), number(plain[99])});
     dFree(plain, 100000);
     dFree(nullptr, 5);
-    heard.clear();
+    received.clear();
     dSetAllocHandler(loud_alloc);
     dSetReallocHandler(loud_realloc);
     dSetFreeHandler(loud_free);
@@ -76,13 +76,13 @@ PARITY_CASE(service_memory)
         p = dRealloc(p, a, b);
         dFree(p, b);
         dFree(nullptr, a);
-        put_heard(out, "calls" + std::to_string(i));
+        put_received(out, "calls" + std::to_string(i));
     }
     dSetAllocHandler(nullptr);
     dSetReallocHandler(nullptr);
     dSetFreeHandler(nullptr);
     dFree(dRealloc(dAlloc(10), 10, 20), 20);
-    put_heard(out, "silent");
+    put_received(out, "silent");
 }
 
 std::string said;

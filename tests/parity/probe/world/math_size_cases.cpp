@@ -44,7 +44,7 @@ struct Framed {
     dReal& operator()(int i, int j) { return cells[at(i * skip + j)]; }
     dReal operator()(int i, int j) const { return cells[at(i * skip + j)]; }
     dReal* data() { return cells.data(); }
-    // The elements, and what is beside and behind them.
+    // The elements, and what is next to them and behind them.
     void put(Output& out, const std::string& key) const
     {
         std::vector<dReal> elements, frame;

@@ -5,7 +5,7 @@
 // from convergence, whose result is its order of rows; bodies that fall asleep one by one; the rest of a
 // finite rotation about an axis. By default these differ, which differences.tsv names; the test parity_016
 // wants them equal.
-#include "every_joint.h"
+#include "joints/every_joint.h"
 
 #include <vector>
 

@@ -39,8 +39,8 @@ void run_points(Output& out, Random& random, int points, int mode, const char* n
             out.open_block(std::string(name) + "/" + attach_name(attach) + "/p" + std::to_string(pose));
             Rig rig(random, attach);
             dWorldSetCFM(rig.world(), 1e-4);
-            const Vec3 push = random.in_cube(4.0);
-            dWorldSetGravity(rig.world(), push.x, push.y, attach == Attach::kBA ? 9.81 : -9.81);
+            const Vec3 pull = random.in_cube(4.0);
+            dWorldSetGravity(rig.world(), pull.x, pull.y, attach == Attach::kBA ? 9.81 : -9.81);
             rig.push(random, 0.3);
             put_points(rig, random, points, mode, random.range(0.05, 1.0));
             step_and_put(out, rig);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The contract of dCollide apart from geometry: which geom a contact names first, sides, room for contacts,
+// The contract of dCollide apart from geometry: which geom a contact names first, sides, capacity for contacts,
 // geoms of one body, a geom with itself, disabled geoms, spaces as arguments, and the info mode of
 // transforms.
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace parity {
 namespace {
 
-constexpr std::size_t kRoom = 32;
+constexpr std::size_t kCapacity = 32;
 
 // Two geoms whose centres are close together, so that every pair that can touch does.
 void put_fields(Output& out, Random& random, Kind first, Kind second)
@@ -19,18 +19,18 @@ void put_fields(Output& out, Random& random, Kind first, Kind second)
     const Placed a = make_geom(first, nullptr, random), b = make_geom(second, nullptr, random);
     place_geom(a, first, {0, 0, 0}, random);
     place_geom(b, second, {0.15, 0.1, -0.12}, random);
-    std::array<dContactGeom, kRoom> contacts = {};
-    for (const int room : {1, 2, 5}) {
-        const int count = dCollide(a.geom, b.geom, room, contacts.data(), sizeof(dContactGeom));
+    std::array<dContactGeom, kCapacity> contacts = {};
+    for (const int capacity : {1, 2, 5}) {
+        const int count = dCollide(a.geom, b.geom, capacity, contacts.data(), sizeof(dContactGeom));
         const dContactGeom& c = contacts[0];
         const bool hit = count > 0;
-        const double in_room = count <= room ? 1 : 0;
+        const double in_capacity = count <= capacity ? 1 : 0;
         const auto owner = [&](dGeomID geom, const Placed& placed, Kind kind) {
             const bool inner = kind == Kind::kTransform && geom == dGeomTransformGetGeom(placed.geom);
             return !hit ? 0.0 : geom == placed.geom ? 1.0 : inner ? 2.0 : -1.0;
         };
-        out.put(std::string(kind_name(first)) + "-" + kind_name(second) + "-" + std::to_string(room),
-                {hit ? 1.0 : 0.0, in_room, owner(c.g1, a, first), owner(c.g2, b, second),
+        out.put(std::string(kind_name(first)) + "-" + kind_name(second) + "-" + std::to_string(capacity),
+                {hit ? 1.0 : 0.0, in_capacity, owner(c.g1, a, first), owner(c.g2, b, second),
                  hit ? static_cast<double>(c.side1) : 0.0, hit ? static_cast<double>(c.side2) : 0.0});
     }
     dGeomDestroy(a.geom);
@@ -46,7 +46,7 @@ PARITY_CASE(geom_contact_fields)
 
 double count_of(dGeomID a, dGeomID b, int flags)
 {
-    std::array<dContactGeom, kRoom> contacts = {};
+    std::array<dContactGeom, kCapacity> contacts = {};
     return dCollide(a, b, flags, contacts.data(), sizeof(dContactGeom));
 }
 
@@ -85,7 +85,7 @@ PARITY_CASE(geom_transform_info)
 {
     const dGeomID transform = dCreateGeomTransform(nullptr), inner = dCreateSphere(nullptr, 0.5);
     const dGeomID plane = dCreatePlane(nullptr, 0, 0, 1, 0);
-    std::array<dContactGeom, kRoom> contacts = {};
+    std::array<dContactGeom, kCapacity> contacts = {};
     dGeomTransformSetCleanup(transform, 1);
     out.put("empty", {count_of(transform, plane, 4)});
     dGeomSetPosition(inner, 1, 0, 0);

@@ -123,7 +123,7 @@ void attach_some_way(const JointKind& kind, const Rig& rig, dJointID joint, int 
 }
 
 // Every way of attaching after every other, with and without setting the geometry, then one step.
-PARITY_CASE(joint_attached_anew)
+PARITY_CASE(joint_attached_again)
 {
     for (const JointKind& kind : every_joint()) {
         const int ways = kind.two_bodies ? 2 : 6;
@@ -139,8 +139,8 @@ PARITY_CASE(joint_attached_anew)
                 set_random_pose(rig.a(), rng, 1.0);
                 set_random_pose(rig.b(), rng, 1.0);
                 attach_some_way(kind, rig, joint, to);
-                kind.read(out, "anew", joint);
-                put_links(out, "anew", rig, joint);
+                kind.read(out, "again", joint);
+                put_links(out, "again", rig, joint);
             }
         }
     }
