@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Gems, convex hulls of points, fall on a heap: they collide as what they look like, and their mass is that
+// Gems, convex hulls of points, fall on a pile: they collide as what they look like, and their mass is that
 // of their form.
 #include <ode/ext.h>
 

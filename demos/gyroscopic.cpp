@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // A bar in free flight, spun about its middle axis of inertia, turns over again and again (Dzhanibekov),
-// while its angular momentum stays. One spun about its long axis beside it does not. Rotation is integrated
+// while its angular momentum stays. One spun about its long axis next to it does not. Rotation is integrated
 // exactly: ODE's way of doing it, the default, is stable but takes energy from such a motion.
 #include <ode/ext.h>
 

@@ -7,9 +7,9 @@
 
 #include "stage.h"
 
-constexpr int kCells = 40, kThings = 16;
+constexpr int kCells = 40, kBodies = 16;
 constexpr double kWide = 8;
-static dGeomID field, things[kThings];
+static dGeomID field, solids[kBodies];
 
 static dReal hills(void*, int i, int k)
 {
@@ -26,10 +26,10 @@ static void build()
     dMatrix3 upright;
     dRFromAxisAndAngle(upright, 1, 0, 0, M_PI / 2);
     dGeomSetRotation(field, upright);
-    for (int i = 0; i < kThings; ++i) {
+    for (int i = 0; i < kBodies; ++i) {
         const double x = 1.3 * (i % 4 - 1.5), y = 1.3 * (i / 4 - 1.5);
-        things[i] = i % 2 ? demo::sphere(x, y, 2, 0.2) : demo::box(x, y, 2, 0.4, 0.4, 0.25);
-        dBodySetAngularDamping(demo::body(things[i]), 0.02);
+        solids[i] = i % 2 ? demo::sphere(x, y, 2, 0.2) : demo::box(x, y, 2, 0.4, 0.4, 0.25);
+        dBodySetAngularDamping(demo::body(solids[i]), 0.02);
     }
 }
 
@@ -66,11 +66,11 @@ static double ground(double x, double y)
 static void judge()
 {
     double balls = 0;
-    for (int i = 0; i < kThings; ++i) {
-        const dReal* p = demo::place(things[i]);
+    for (int i = 0; i < kBodies; ++i) {
+        const dReal* p = demo::place(solids[i]);
         const double over = p[2] - ground(p[0], p[1]);
         demo::claim(over > 0.1 && over < 0.5, "thing %d is %g m over the ground", i, over);
-        if (i % 2) balls += p[2] / (kThings / 2);
+        if (i % 2) balls += p[2] / (kBodies / 2);
     }
     // Of a valley's floor a ball's middle is 0.3 m high, of a hill's top 1.3 m.
     demo::claim(balls < 0.6, "the balls found no valleys: they are %g m high in the mean", balls);

@@ -10,7 +10,7 @@
 constexpr double kCrank = 0.3, kRod = 0.9;
 static dGeomID crank, rod, head;
 static dJointID motor, pin, wrist, piston;
-static double least = 1e9, most = -1e9;
+static double least = 1e9, largest = -1e9;
 
 static dJointID hinge(dGeomID a, dGeomID b, double x)
 {
@@ -44,12 +44,12 @@ static void watch(double)
 {
     const double x = demo::place(head)[0];
     least = std::fmin(least, x);
-    most = std::fmax(most, x);
+    largest = std::fmax(largest, x);
 }
 
 static void judge()
 {
-    demo::claim(demo::near(most, kRod + kCrank, 0.005), "it came out to %g m", most);
+    demo::claim(demo::near(largest, kRod + kCrank, 0.005), "it came out to %g m", largest);
     demo::claim(demo::near(least, kRod - kCrank, 0.01), "it came in to %g m", least);
     const dReal* p = demo::place(head);
     demo::claim(std::hypot(p[1], p[2] - 1) < 0.002, "it left its way by %g m", std::hypot(p[1], p[2] - 1));

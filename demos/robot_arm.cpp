@@ -110,9 +110,9 @@ static void every_step(double t)
 
 static void judge()
 {
-    demo::tell("largest distance from the circle", 1000 * worst, "mm");
-    demo::tell("root mean square", 1000 * std::sqrt(sum / counted), "mm");
-    demo::tell("largest torque", largest_torque, "N m");
+    demo::print("largest distance from the circle", 1000 * worst, "mm");
+    demo::print("root mean square", 1000 * std::sqrt(sum / counted), "mm");
+    demo::print("largest torque", largest_torque, "N m");
     demo::claim(worst < 1e-3, "the pen leaves the circle by %g m", worst);
     arm.destroy();
 }

@@ -48,10 +48,10 @@ static void every_step(double t)
 
 static void judge()
 {
-    demo::tell("largest gap of a loop", loop, "m");
-    demo::tell("largest error of the mimic joint", mimic, "rad");
-    demo::tell("largest tilt of a finger", tilt, "rad");
-    demo::tell("fingers move by", 1000 * (widest - narrowest), "mm");
+    demo::print("largest gap of a loop", loop, "m");
+    demo::print("largest error of the mimic joint", mimic, "rad");
+    demo::print("largest tilt of a finger", tilt, "rad");
+    demo::print("fingers move by", 1000 * (widest - narrowest), "mm");
     const double exact = demo::kIsDouble ? 1e-9 : 1e-5;
     demo::claim(loop < exact, "a loop opens by %g m", loop);
     demo::claim(mimic < exact, "the mimic joint is off by %g rad", mimic);

@@ -60,9 +60,9 @@ static void every_step(double t)
 
 static void judge()
 {
-    demo::tell("the capsule's way in the fingers in 10 s", 1000 * creep, "mm");
-    demo::tell("least force on a pad", least_grip, "N");
-    demo::tell("largest difference of the fingers", 1e6 * mimic, "um");
+    demo::print("the capsule's way in the fingers in 10 s", 1000 * creep, "mm");
+    demo::print("least force on a pad", least_grip, "N");
+    demo::print("largest difference of the fingers", 1e6 * mimic, "um");
     const dReal* place =
         dBodyGetPosition(dRobotGetBody(gripper.robot, dRobotModelFindLink(gripper.model, "capsule")));
     demo::claim(place[2] > 0.3, "the capsule is at %g m", double(place[2]));

@@ -100,12 +100,12 @@ static void judge()
     const dReal* place =
         dBodyGetPosition(dRobotGetBody(robot.robot, dRobotModelFindLink(robot.model, "trunk")));
     const double walked = place[0] - start_x;
-    demo::tell("walked", walked, "m");
-    demo::tell("speed", walked / (kEnd - kStand), "m/s");
-    demo::tell("off its line by", drift, "m");
-    demo::tell("lowest trunk", lowest, "m");
-    demo::tell("largest tilt", tilt, "degrees");
-    demo::tell("time with fewer than two feet on the ground", 100.0 * airborne / trotting, "%");
+    demo::print("walked", walked, "m");
+    demo::print("speed", walked / (kEnd - kStand), "m/s");
+    demo::print("off its line by", drift, "m");
+    demo::print("lowest trunk", lowest, "m");
+    demo::print("largest tilt", tilt, "degrees");
+    demo::print("time with fewer than two feet on the ground", 100.0 * airborne / trotting, "%");
     demo::claim(walked > 3, "it walked %g m", walked);
     demo::claim(lowest > 0.22 && tilt < 15, "it fell to %g m or tilted by %g degrees", lowest, tilt);
     demo::claim(drift < 0.5, "it went %g m off its line", drift);

@@ -73,7 +73,7 @@ void Robot::place(const char* frame, dVector3 out) const
                         its.point[2] - c[2], out);
 }
 
-void tell(const char* what, double value, const char* unit)
+void print(const char* what, double value, const char* unit)
 {
     std::fprintf(stderr, "%s: %.4g %s\n", what, value, unit);
 }

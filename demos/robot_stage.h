@@ -34,6 +34,6 @@ struct Robot {
 };
 
 // A figure of the verdict, for those who read it.
-void tell(const char* what, double value, const char* unit);
+void print(const char* what, double value, const char* unit);
 
 }  // namespace demo

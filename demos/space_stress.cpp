@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Two hundred things rain into a heap. Four kinds of spaces hold likenesses of them, and each must tell in
+// Two hundred solids rain into a pile. Four kinds of spaces hold likenesses of them, and each must tell in
 // every tenth step exactly the pairs whose bounding boxes meet, no more, no fewer.
 #include <set>
 #include <utility>
@@ -9,7 +9,7 @@
 #include "stage.h"
 
 constexpr int kCount = 200;
-static dGeomID things[kCount], likeness[4][kCount];
+static dGeomID solids[kCount], likeness[4][kCount];
 static dSpaceID spaces[4];
 static const char* const kNames[4] = {"simple", "hash", "sweep and prune", "quadtree"};
 static long wrong[4] = {0, 0, 0, 0}, met = 0;
@@ -27,7 +27,7 @@ static void build()
     spaces[3] = dQuadTreeSpaceCreate(nullptr, centre, half, 5);
     for (int i = 0; i < kCount; ++i) {
         const double x = between(-1, 1), y = between(-1, 1), z = 1 + 0.06 * i, size = between(0.1, 0.3);
-        things[i] = i % 3 == 0   ? demo::box(x, y, z, size, between(0.1, 0.3), between(0.1, 0.3))
+        solids[i] = i % 3 == 0   ? demo::box(x, y, z, size, between(0.1, 0.3), between(0.1, 0.3))
                     : i % 3 == 1 ? demo::sphere(x, y, z, 0.5 * size)
                                  : demo::capsule(x, y, z, 0.4 * size, size);
         for (int k = 0; k < 4; ++k) {
@@ -54,7 +54,7 @@ static void compare(double t)
     static dReal around[kCount][6];
     Pairs truth;
     for (int i = 0; i < kCount; ++i) {
-        dGeomGetAABB(things[i], around[i]);
+        dGeomGetAABB(solids[i], around[i]);
         for (int j = 0; j < i; ++j) {
             if (meet(around[i], around[j])) truth.insert({j, i});
         }
@@ -66,9 +66,9 @@ static void compare(double t)
     }
     met += long(truth.size());
     for (int k = 0; k < 4; ++k) {
-        Pairs told;
-        dSpaceCollide(spaces[k], &told, note);
-        wrong[k] += told != truth;
+        Pairs reported;
+        dSpaceCollide(spaces[k], &reported, note);
+        wrong[k] += reported != truth;
     }
 }
 

@@ -50,7 +50,7 @@ dGeomID with_body(dGeomID geom, const dMass& mass, double x, double y, double z)
 
 void touch(void*, dGeomID a, dGeomID b)
 {
-    constexpr int kMost = 32;
+    constexpr int kCapacity = 32;
     if (dGeomIsSpace(a) || dGeomIsSpace(b)) {
         dSpaceCollide2(a, b, nullptr, touch);
         return;
@@ -58,8 +58,8 @@ void touch(void*, dGeomID a, dGeomID b)
     const dBodyID first = dGeomGetBody(a), second = dGeomGetBody(b);
     if (!first && !second) return;
     if (first && second && dAreConnectedExcluding(first, second, dJointTypeContact)) return;
-    dContact points[kMost] = {};
-    const int count = dCollide(a, b, kMost, &points[0].geom, sizeof(dContact));
+    dContact points[kCapacity] = {};
+    const int count = dCollide(a, b, kCapacity, &points[0].geom, sizeof(dContact));
     for (int i = 0; i < count; ++i) {
         points[i].surface.mode = dContactApprox1 | (bounce > 0 ? dContactBounce : 0);
         points[i].surface.mu = friction;
@@ -152,7 +152,7 @@ double step_size() { return 1.0 / 60 / plan->steps_a_frame; }
 void step_world()
 {
     if (plan->every_step) plan->every_step(static_cast<double>(steps) * step_size());
-    if (!plan->managed) dSpaceCollide(space, nullptr, touch);
+    if (!plan->world_contacts) dSpaceCollide(space, nullptr, touch);
     dWorldStep(world, step_size());
     dJointGroupEmpty(contacts);
     ++steps;
@@ -244,7 +244,7 @@ int run(int argc, char** argv, const Plan& what)
     contacts = dJointGroupCreate(0);
     dWorldSetGravity(world, 0, 0, -9.81);
     dCreatePlane(space, 0, 0, 1, 0);
-    if (plan->managed) dWorldSetContactSpace(world, space);
+    if (plan->world_contacts) dWorldSetContactSpace(world, space);
     plan->build();
     dsFunctions functions = {DS_VERSION, begin, frame, plan->key, end, nullptr};
     dsSimulationLoop(argc, argv, 800, 500, &functions);

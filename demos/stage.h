@@ -3,7 +3,7 @@
 //
 // What all demos share, so that each can be about its one thing: a world with a floor and gravity (0, 0,
 // -9.81), bodies with shapes in one call, contacts, drawing, and a verdict. A demo claims what its physics
-// must do; the first claim that does not hold is told, and the program ends with exit code 1. In a window it
+// must do; the first claim that does not hold is printed, and the program ends with exit code 1. In a window it
 // goes on after its verdict.
 #pragma once
 
@@ -23,7 +23,7 @@ struct Plan {
     void (*key)(int key) = nullptr;
     void (*surface)(dGeomID a, dGeomID b, dContact* contact) = nullptr;  // of a contact that is not made yet
     int steps_a_frame = 2;                                               // of 1/60 s
-    bool managed = false;  // contacts are the world's, by the materials of its geoms
+    bool world_contacts = false;  // not by a callback, but by the materials of its geoms
 };
 
 extern dWorldID world;

@@ -8,8 +8,8 @@
 
 #include "stage.h"
 
-constexpr int kRings = 10, kSides = 32, kThings = 30;
-static dGeomID things[kThings];
+constexpr int kRings = 10, kSides = 32, kBodies = 30;
+static dGeomID solids[kBodies];
 static std::vector<float> vertices;
 static std::vector<dTriIndex> triangles;
 
@@ -46,19 +46,19 @@ static void build()
 {
     make_bowl();
     demo::friction = 0.6;
-    for (int i = 0; i < kThings; ++i) {
+    for (int i = 0; i < kBodies; ++i) {
         const double x = 0.45 * (i % 3 - 1), y = 0.45 * (i / 3 % 3 - 1), z = 1.6 + 0.4 * (i / 9);
-        things[i] = i % 3 == 0   ? demo::sphere(x, y, z, 0.15)
+        solids[i] = i % 3 == 0   ? demo::sphere(x, y, z, 0.15)
                     : i % 3 == 1 ? demo::box(x, y, z, 0.25, 0.25, 0.2)
                                  : demo::capsule(x, y, z, 0.1, 0.2);
-        dBodySetAngularDamping(demo::body(things[i]), 0.01);
+        dBodySetAngularDamping(demo::body(solids[i]), 0.01);
     }
 }
 
 static void judge()
 {
-    for (int i = 0; i < kThings; ++i) {
-        const dReal *p = demo::place(things[i]), *v = dBodyGetLinearVel(demo::body(things[i]));
+    for (int i = 0; i < kBodies; ++i) {
+        const dReal *p = demo::place(solids[i]), *v = dBodyGetLinearVel(demo::body(solids[i]));
         const double r = std::hypot(p[0], p[1]);
         demo::claim(r < 2, "thing %d left the bowl: %g m", i, r);
         demo::claim(p[2] > height(r), "thing %d is under the bowl", i);

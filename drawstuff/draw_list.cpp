@@ -88,7 +88,7 @@ viewer::Shape DrawList::styled(viewer::ShapeKind kind) const
     shape.alpha = alpha_;
     shape.texture = texture_;
     shape.wire = wire_;
-    // Surfaces are round at any quality; wires are told apart only if there are few.
+    // Surfaces are round at any quality; wires are distinguished only if there are few.
     if (kind == viewer::ShapeKind::kSphere)
         shape.steps = wire_ ? 1 + sphere_quality_ : 3 + 3 * sphere_quality_;
     if (kind == viewer::ShapeKind::kCapsule)

@@ -31,8 +31,8 @@ bool read_ppm(const std::string& path, viewer::Image& image)
     std::ifstream in(path, std::ios::binary);
     char magic[2] = {0, 0};
     if (!in.read(magic, 2) || magic[0] != 'P' || magic[1] != '6') return false;
-    const int width = next_number(in), height = next_number(in), most = next_number(in);
-    if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide || most != 255) return false;
+    const int width = next_number(in), height = next_number(in), largest = next_number(in);
+    if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide || largest != 255) return false;
     in.get();
     image.width = width;
     image.height = height;

@@ -24,7 +24,7 @@ string(REGEX REPLACE "/$" "" EPODE_PREFIX_FROM_BIN ${EPODE_PREFIX_FROM_BIN})
 install(FILES ${EPODE_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ode)
 install(FILES LICENSE README.md CHANGES.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-# What a program must name beside the library: a shared one brings it, a static one does not.
+# What a program must name besides the library: a shared one brings it, a static one does not.
 set(EPODE_PC_LIBS "")
 set(EPODE_PC_PRIVATE "-lstdc++ -lm ${CMAKE_THREAD_LIBS_INIT}")
 string(STRIP ${EPODE_PC_PRIVATE} EPODE_PC_PRIVATE)

@@ -27,7 +27,7 @@ _PARAMETERS = {"lo_stop": "LoStop", "hi_stop": "HiStop", "velocity": "Vel", "max
 
 @dataclasses.dataclass
 class Drive:
-    """A drive on an axis: force + stiffness (target - q) + damping (target_velocity - w), at most force_limit, beside
+    """A drive on an axis: force + stiffness (target - q) + damping (target_velocity - w), at most force_limit, and
     the inertia of a rotor (armature) and dry friction. Implicit in the step; 0 is not there."""
     stiffness: float = 0.0
     damping: float = 0.0

@@ -81,7 +81,7 @@ class _Structure:
 
 
 class _Description:
-    """What Python knows of a world beside the library: types of joints, shapes, and who belongs to whom, by number."""
+    """What Python knows of a world in addition to the library: types of joints, shapes, and who belongs to whom, by number."""
 
     def __init__(self, world: World) -> None:
         number = {body: i for i, body in enumerate(world._bodies.values())}
@@ -110,7 +110,7 @@ class World(Object):
 
     gravity: m/s^2. contacts: whether steps find and solve contacts; False leaves them to ``collide``. threads: of a
     step, 0 for one on each processor. defaults: "game" or "robot", see ``use_defaults``. At the end of a ``with`` block
-    the world is destroyed; so it is when nothing refers to it, or to anything in it, any more."""
+    the world is destroyed; it is destroyed too when nothing refers to it, or to anything in it, any more."""
 
     __slots__ = ("_bodies", "_joints", "_geoms", "_space", "_body_list", "bodies", "_group", "_past", "_edition", "_recording", "stepper", "_robots")
     _bodies: dict[c.dBodyID, Body]
@@ -489,7 +489,7 @@ class World(Object):
         return self.clone()
 
     def __reduce__(self) -> tuple[typing.Any, ...]:
-        """Pickles hold the world's file and what Python knows beside it."""
+        """Pickles hold the world's file and what Python knows in addition."""
         numbers = [self._geom_number(geom) for geom in self._geoms.values()]
         return _unpickled, (c.dWorldSaveToBuffer(self._handle, self._space), _Description(self), numbers)
 

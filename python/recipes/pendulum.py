@@ -12,7 +12,7 @@ def main() -> float:
     with epode.World() as world:
         rod = world.body(mass=1, shape=epode.Capsule(0.02, LENGTH), position=(0, 0, -LENGTH / 2))
         hinge = world.joint("hinge", rod, anchor=(0, 0, 0), axis=(0, 1, 0))
-        world.exact_substeps = 10                     # the energy of ten small steps at the price of one contact search
+        world.exact_substeps = 10                     # the energy of ten short steps at the price of one contact search
         rod.angular_velocity = (0, 0.3, 0)
         rod.velocity = (-0.3 * LENGTH / 2, 0, 0)      # swings about the hinge from the first step on
 

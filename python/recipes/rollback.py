@@ -6,10 +6,10 @@ import numpy as np
 import epode
 
 
-def play(world: epode.World, car: epode.Body, pushes: dict[int, float], first: int, last: int) -> None:
+def play(world: epode.World, car: epode.Body, forces: dict[int, float], first: int, last: int) -> None:
     """Steps first to last, with the input of each."""
     for step in range(first, last):
-        car.add_force((pushes.get(step, 0.0), 0, 0))
+        car.add_force((forces.get(step, 0.0), 0, 0))
         world.step(1 / 60)
 
 

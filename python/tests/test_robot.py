@@ -23,7 +23,7 @@ def walker():
     return epode.load(MODELS / "walker.xml")
 
 
-def test_a_model_tells_what_is_in_it(arm):
+def test_a_model_reports_what_is_in_it(arm):
     assert arm.format == "URDF" and arm.name == "arm"
     assert arm.joint_names == [f"axis_{i}" for i in range(1, 8)]
     assert "hand" in arm.link_names and "pen" not in arm.link_names and "pen" in arm.frame_names

@@ -184,7 +184,7 @@ def test_events_begin_and_end(world):
     assert kinds[0] == epode.c.dContactBegin and kinds[-1] == epode.c.dContactEnd
 
 
-def test_events_tell_how_hard_and_who_is_in_a_sensor(world):
+def test_events_report_how_hard_and_who_is_in_a_sensor(world):
     floor = world.plane()
     gate = world.geom(epode.Box(2, 2, 0.1), position=(0, 0, 1))
     gate.sensor = True
