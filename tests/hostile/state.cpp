@@ -100,7 +100,7 @@ void State::learn(const Function& f)
 {
     const std::size_t objects = f.count > 0 ? scene_.live[std::size_t(f.parameters[0].kind)].size() : 1;
     Reading r = {&f, 0, 0, reals_behind(f.name), 0, is_motion(f.name)};
-    for (const Parameter& p : f.all()) r.reals = std::max(r.reals, reals_of(p.kind));
+    for (const Parameter& p : f.all()) r.written = std::max(r.written, reals_of(p.kind));
     bool first = true;
     for (r.object = 0; r.object < int(objects); ++r.object) {
         // All numbers of the first object that takes the function; a few of the others.
@@ -124,7 +124,7 @@ bool State::take(const Reading& r, std::uint64_t& hash, bool& healthy) const
 {
     Value arguments[kArguments];
     const auto parameters = r.function->all();
-    for (auto& reals : g_reals) std::fill_n(reals, r.reals, dReal(0));
+    for (auto& reals : g_reals) std::fill_n(reals, r.written, dReal(0));
     for (int& integer : g_integers) integer = 0;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const Kind kind = parameters[i].kind;
@@ -147,7 +147,7 @@ bool State::take(const Reading& r, std::uint64_t& hash, bool& healthy) const
             std::uint64_t(result.integer) ^ std::uint64_t(reinterpret_cast<std::uintptr_t>(result.pointer)));
     const auto* values = static_cast<const dReal*>(result.pointer);
     for (int i = 0; values && i < r.reals; ++i) healthy = mix_real(hash, values[i], r.finite) && healthy;
-    for (int i = 0; i < r.reals; ++i)
+    for (int i = 0; i < r.written; ++i)
         for (const auto& reals : g_reals) healthy = mix_real(hash, reals[i], r.finite) && healthy;
     for (int integer : g_integers) mix(hash, unsigned(integer));
     return true;

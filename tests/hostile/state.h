@@ -29,11 +29,11 @@ class State {
   private:
     struct Reading {
         const Function* function;
-        int object;     // place in its kind's list
-        int number;     // second argument if it is an integer
-        int reals = 0;  // how many stand behind the pointer that it returns
-        int reals = 0;  // how many reals it writes into its argument
-        bool finite;    // must be finite, else only not NaN
+        int object;       // place in its kind's list
+        int number;       // second argument if it is an integer
+        int reals = 0;    // how many stand behind the pointer that it returns
+        int written = 0;  // how many reals it writes into its argument
+        bool finite;      // must be finite, else only not NaN
     };
     void learn(const Function& function);
     bool take(const Reading& reading, std::uint64_t& hash, bool& healthy) const;

@@ -13,9 +13,9 @@ namespace {
 template <typename Ask>
 auto asked(const char* what, Ask&& ask)
 {
-    const int before = messages();
+    const int messages_before = messages();
     const auto answer = ask();
-    EXPECT_EQ(messages() - before, answer ? 0 : 1) << what;
+    EXPECT_EQ(messages() - messages_before, answer ? 0 : 1) << what;
     return answer;
 }
 #define ASKED(call) asked(#call, [&] { return call; })
@@ -52,12 +52,12 @@ class Scene {
         dSpaceCollide(outer_, this, &near);
         for (dBodyID b : bodies_) dBodyAddForce(b, 1, 0, dReal(0.5));
         const std::uint64_t before = hash_of(bodies_);
-        const int before = messages();
+        const int messages_before = messages();
         if (step(world_, setting_.stepper, dReal(0.01))) {
-            EXPECT_EQ(messages(), before);
+            EXPECT_EQ(messages(), messages_before);
         } else {
             ++refused_steps;
-            EXPECT_EQ(messages(), before + 1);
+            EXPECT_EQ(messages(), messages_before + 1);
             EXPECT_EQ(hash_of(bodies_), before) << "a refused step has changed something";
             EXPECT_TRUE(Heap::failed());
         }
@@ -68,7 +68,7 @@ class Scene {
     // All memory is back: everything can be done.
     void go_on()
     {
-        const int before = messages();
+        const int messages_before = messages();
         if (!world_ || !outer_) {
             tear_down();
             build();
@@ -82,7 +82,7 @@ class Scene {
         for (int i = 0; i < 2; ++i) step_once();
         EXPECT_EQ(refused_steps, refusals);
         EXPECT_GT(contacts_, 0);
-        EXPECT_EQ(messages(), before);
+        EXPECT_EQ(messages(), messages_before);
         for (dBodyID b : bodies_) EXPECT_TRUE(finite(b));
     }
 
@@ -137,13 +137,14 @@ class Scene {
             }
         }
         if (i % 3 == 0) {
-            const int before = messages();
+            const int messages_before = messages();
             dGeomSetOffsetPosition(geom, dReal(0.1), 0, 0);
-            EXPECT_EQ(messages() - before, dGeomIsOffset(geom) ? 0 : 1);
+            EXPECT_EQ(messages() - messages_before, dGeomIsOffset(geom) ? 0 : 1);
         }
-        const int before = messages();
+        const int messages_before = messages();
         dBodySetAutoDisableAverageSamplesCount(body, unsigned(10 + i));
-        EXPECT_EQ(messages() - before, dBodyGetAutoDisableAverageSamplesCount(body) == 10 + i ? 0 : 1);
+        EXPECT_EQ(messages() - messages_before,
+                  dBodyGetAutoDisableAverageSamplesCount(body) == 10 + i ? 0 : 1);
     }
 
     void tie_bodies()
@@ -191,9 +192,9 @@ class Scene {
             if (geom && inner_) {
                 dSpaceID from = dGeomGetSpace(geom), to = from == inner_ ? outer_ : inner_;
                 if (from) dSpaceRemove(from, geom);
-                const int before = messages();
+                const int messages_before = messages();
                 dSpaceAdd(to, geom);
-                EXPECT_EQ(messages() - before, dGeomGetSpace(geom) == to ? 0 : 1);
+                EXPECT_EQ(messages() - messages_before, dGeomGetSpace(geom) == to ? 0 : 1);
                 if (!dGeomGetSpace(geom)) loose_.push_back(geom);
             }
             dBodyDestroy(bodies_[2]);

@@ -27,9 +27,9 @@ template <typename Scene>
 bool tried(Scene& scene)
 {
     const std::uint64_t before = scene.hash();
-    const int before = messages();
+    const int messages_before = messages();
     const bool made = scene.go();
-    EXPECT_EQ(messages() - before, made ? 0 : 1);
+    EXPECT_EQ(messages() - messages_before, made ? 0 : 1);
     if (!made) { EXPECT_EQ(scene.hash(), before) << "a refused step has changed something"; }
     return made;
 }

@@ -94,7 +94,7 @@ TEST_P(StateExhaustion, each_allocation_may_fail_and_nothing_changes)
                 World w(GetParam());  // a world keeps the memory of earlier calls
                 w.steps(65);
                 const std::uint64_t before = hash_of(w.bodies);
-                const int before = messages();
+                const int messages_before = messages();
                 Heap::fail_at(n, for_good);
                 const bool done =
                     what == 0   ? dWorldGetState(w.world, buffer.data(), buffer.size())
@@ -104,7 +104,7 @@ TEST_P(StateExhaustion, each_allocation_may_fail_and_nothing_changes)
                 const bool failed = Heap::failed();
                 Heap::count();
                 ASSERT_TRUE(done || failed);
-                ASSERT_EQ(messages() - before, done ? 0 : 1) << what << ' ' << n;
+                ASSERT_EQ(messages() - messages_before, done ? 0 : 1) << what << ' ' << n;
                 if (!done) {
                     ASSERT_EQ(hash_of(w.bodies), before) << what << ' ' << n;
                 } else if (what == 1) {

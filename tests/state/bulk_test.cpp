@@ -79,9 +79,9 @@ TEST(BodyStates, are_all_refused_where_one_is)
     const int count = int(scene.bodies.size());
     const auto refused = [&](const std::vector<dBodyID>& bodies, int n, unsigned fields, const dReal* in,
                              int stride) {
-        const int before = Messages::count();
+        const int messages_before = Messages::count();
         EXPECT_EQ(dBodiesSetStates(bodies.data(), n, fields, in, stride), 0);
-        EXPECT_EQ(Messages::count(), before + 1);
+        EXPECT_EQ(Messages::count(), messages_before + 1);
         EXPECT_TRUE(scene.save() == before);
     };
     std::vector<dBodyID> bodies = scene.bodies;

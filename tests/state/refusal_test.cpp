@@ -21,9 +21,9 @@ void seal(Bytes& state)
 void expect_refused(const Scene& scene, const Bytes& state, const char* text)
 {
     const Bytes before = scene.save();
-    const int before = Messages::count();
+    const int messages_before = Messages::count();
     EXPECT_FALSE(scene.load(state)) << text;
-    EXPECT_EQ(Messages::count(), before + 1);
+    EXPECT_EQ(Messages::count(), messages_before + 1);
     EXPECT_NE(Messages::last().find(text), std::string::npos) << Messages::last();
     EXPECT_TRUE(scene.save() == before) << text << ": something has changed";
 }
@@ -157,7 +157,7 @@ TEST(HostileStates, are_refused_or_taken_without_harm)
             mutate(state, random);
             seal(state);
             const Bytes before = scene.save();
-            const int before = Messages::count();
+            const int messages_before = Messages::count();
             if (scene.load(state)) {
                 ++taken;
                 (void)scene.save();
@@ -170,7 +170,7 @@ TEST(HostileStates, are_refused_or_taken_without_harm)
                 ASSERT_TRUE(scene.load(good)) << Messages::last();
             } else {
                 ++refused;
-                ASSERT_EQ(Messages::count(), before + 1);
+                ASSERT_EQ(Messages::count(), messages_before + 1);
                 ASSERT_TRUE(scene.save() == before) << Messages::last() << " has changed something";
             }
         }
