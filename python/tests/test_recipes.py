@@ -72,6 +72,36 @@ def test_many_worlds():
     assert recipe("many_worlds").main() > 150
 
 
+def test_ant():
+    """64 worlds of it: finite rewards, torsos where MuJoCo has them too, and nothing that depends on threads."""
+    pytest.importorskip("gymnasium")
+    module = recipe("ant")
+    seen = module.main(count=64, steps=60)
+    rewards, heights, fallen = seen["rewards"], seen["heights"], seen["fallen"].astype(bool)
+    assert rewards.shape == (60, 64) and np.isfinite(rewards).all() and np.abs(rewards).max() < 20
+    # MuJoCo 4.0's torsos in gymnasium's Ant-v5: 0.3 to 1.0 m while it is healthy, 0.6 m in the mean.
+    assert 0.2 <= heights[~fallen].min() and heights[~fallen].max() <= 1.0 and 0.45 < heights.mean() < 0.75
+    assert np.abs(seen["rewards"].mean(axis=0)).max() < 5 and fallen.mean() < 0.02
+
+
+def test_ants_begin_again_with_the_same_bits():
+    pytest.importorskip("gymnasium")
+    module = recipe("ant")
+    actions = np.random.default_rng(5).uniform(-1, 1, (20, 6, 8))
+    runs = []
+    for threads in (1, 2):
+        ants = module.AntVector(6, threads=threads)
+        for _ in range(2):                            # the second time worlds have a past, which the state forgets
+            observed, _ = ants.reset(seed=9)
+            assert observed.shape == (6, 27) and np.ptp(observed, axis=0).min() > 0
+            runs.append(np.array([ants.step(action)[0] for action in actions]))
+    assert all(np.array_equal(runs[0], run) for run in runs)
+    ants.robots[2].body("torso").position = (0, 0, 5)
+    observed, _, terminated, truncated, info = ants.step(actions[0])
+    assert terminated.tolist() == [False, False, True, False, False, False] and not truncated.any()
+    assert 0.5 < observed[2, 0] < 0.9 and info["final_obs"][0, 0] > 1 and ants.steps.tolist() == [21, 21, 0, 21, 21, 21]
+
+
 def test_every_recipe_is_tested_and_on_the_page():
     page = (RECIPES.parent.parent / "docs" / "python" / "recipes.md").read_text()
     for path in RECIPES.glob("*.py"):
