@@ -10,7 +10,8 @@ PACKAGE = pathlib.Path(__file__).resolve().parent.parent / "python" / "epode"
 RECIPES = PACKAGE.parent / "recipes"
 # Module: its part of the page. Names that epode/__init__.py lists are shown as epode.NAME.
 MODULES = {"world": "Worlds", "body": "Bodies", "geom": "Geoms", "shapes": "Shapes and materials", "joint": "Joints and drives",
-           "recording": "Recordings", "plot": "Plots: epode.plot", "robot": "Robots: epode.robot", "errors": "Errors"}
+           "recording": "Recordings", "viewer": "Windows: epode.viewer", "plot": "Plots: epode.plot",
+           "robot": "Robots: epode.robot", "enums": "Kinds", "errors": "Errors"}
 
 
 def is_public(name):
@@ -30,12 +31,30 @@ def entry(title, text):
     return f"`{title}`\n: {said.replace(chr(10), chr(10) + '  ') or '-'}\n\n"
 
 
-def documented_value(node):
-    """NAME = something(..., "text") in a class: a property; its text is the last string."""
-    if not (isinstance(node, ast.Assign) and isinstance(node.value, ast.Call) and isinstance(node.targets[0], ast.Name)):
-        return None
-    texts = [a.value for a in [*node.value.args, *(k.value for k in node.value.keywords)] if isinstance(a, ast.Constant) and isinstance(a.value, str)]
-    return (node.targets[0].id, texts[-1]) if texts and is_public(node.targets[0].id) else None
+# Functions that make a property from its name alone: its text.
+MAKERS = {"_column": lambda name: f"The {name.replace('_', ' ')} of each body, as an array.",
+          "_place": lambda name: ("A point" if name.startswith("anchor") else "A direction") +
+                                 " of the joint, in the world's frame, if its type has it."}
+
+
+def text_of_call(call):
+    """The last string among the arguments, which is a property's text."""
+    texts = [a.value for a in [*call.args, *(k.value for k in call.keywords)] if isinstance(a, ast.Constant) and isinstance(a.value, str)]
+    maker = MAKERS.get(getattr(call.func, "id", None))
+    return maker(texts[-1]) if texts and maker else texts[-1] if texts else None
+
+
+def documented_values(node):
+    """NAME = something(..., "text") in a class, or several of them: properties."""
+    if isinstance(node, ast.AnnAssign):
+        pairs = [(node.target, node.value)]
+    elif isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Tuple) and isinstance(node.value, ast.Tuple):
+        pairs = list(zip(node.targets[0].elts, node.value.elts))
+    else:
+        pairs = [(node.targets[0], node.value)] if isinstance(node, ast.Assign) else []
+    for target, value in pairs:
+        if isinstance(target, ast.Name) and is_public(target.id) and isinstance(value, ast.Call) and (text := text_of_call(value)):
+            yield target.id, text
 
 
 def members(cls):
@@ -47,10 +66,12 @@ def members(cls):
                 continue
             returned = f": {ast.unparse(node.returns)}" if node.returns else ""
             yield (node.name + returned if "property" in marks else signature(node, "staticmethod" not in marks)), ast.get_docstring(node)
-        elif isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name) and is_public(node.target.id) and node.value is not None:
+        elif found := list(documented_values(node)):
+            yield from found
+        elif isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name) and is_public(node.target.id):
             yield ast.unparse(node), ""
-        elif found := documented_value(node):
-            yield found
+        elif isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name) and isinstance(node.value, ast.Attribute):
+            yield node.targets[0].id, f"``{ast.unparse(node.value)}``"
 
 
 def module_part(name, title):
