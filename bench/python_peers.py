@@ -35,6 +35,10 @@ def epode_figures():
         world.body(mass=1, position=(i, 0, 0))
     bodies, names = world.bodies, ("position", "quaternion", "velocity", "angular_velocity")
     yield "poses of 1,000 bodies", least(lambda: bodies.get("position", "quaternion"), 20, 200)
+    poses = bodies.get("position", "quaternion")
+    yield "... into an array", least(lambda: bodies.get("position", "quaternion", out=poses), 20, 200)
+    positions = bodies.get("position")
+    yield "... positions alone", least(lambda: bodies.get("position", out=positions), 20, 200)
     states = bodies.get(*names)
     yield "poses and velocities read", least(lambda: bodies.get(*names), 20, 200)
     yield "poses and velocities set", least(lambda: bodies.set(states, *names), 20, 100)
@@ -57,6 +61,10 @@ def mujoco_figures():
     mujoco.mj_forward(model, data)
     # qpos holds positions and quaternions, qvel velocities: the copy is what a program keeps.
     yield "poses of 1,000 bodies", least(lambda: data.qpos.copy(), 20, 200)
+    poses = data.qpos.copy()
+    yield "... into an array", least(lambda: np.copyto(poses, data.qpos), 20, 200)
+    rows, positions = data.qpos.reshape(1000, 7), np.zeros((1000, 3))
+    yield "... positions alone", least(lambda: np.copyto(positions, rows[:, :3]), 20, 200)
     yield "poses and velocities read", least(lambda: (data.qpos.copy(), data.qvel.copy()), 20, 200)
     qpos, qvel = data.qpos.copy(), data.qvel.copy()
 

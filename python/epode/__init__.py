@@ -14,10 +14,11 @@
 Lengths are in m, masses in kg, angles in rad; quaternions are w x y z. ``epode.c`` has the whole C API.
 """
 from . import c, robot
-from .body import Body
+from .body import Body, BodyGroup
+from .enums import (Behaviour, CauseKind, CombineRule, ContactEventKind, EventGone, EventKind, IslandMethod, Severity)
 from .errors import BusyError, DeadHandleError, EpodeWarning, RefusedError
 from .geom import Geom
-from .joint import Drive, Joint
+from .joint import Drive, Joint, joint_states
 from .recording import Recording
 from .robot import load
 from .shapes import (Box, Capsule, Cone, Convex, Cylinder, Ellipsoid, HeightField, Material, Mesh, Plane, Sphere,
@@ -25,6 +26,8 @@ from .shapes import (Box, Capsule, Cone, Convex, Cylinder, Ellipsoid, HeightFiel
 from .world import Cause, World, defaults_text, step_worlds
 
 __version__ = "0.1.0"
-__all__ = ["Body", "Box", "BusyError", "Capsule", "Cause", "Cone", "Convex", "Cylinder", "DeadHandleError", "Drive",
-           "Ellipsoid", "EpodeWarning", "Geom", "HeightField", "Joint", "Material", "Mesh", "Plane", "Recording", "RefusedError",
-           "Sphere", "TaperedCapsule", "World", "c", "defaults_text", "load", "robot", "step_worlds"]
+__all__ = ["Behaviour", "Body", "BodyGroup", "Box", "BusyError", "Capsule", "Cause", "CauseKind", "CombineRule", "Cone",
+           "ContactEventKind", "Convex", "Cylinder", "DeadHandleError", "Drive", "Ellipsoid", "EpodeWarning",
+           "EventGone", "EventKind", "Geom", "HeightField", "IslandMethod", "Joint", "Material", "Mesh", "Plane",
+           "Recording", "RefusedError", "Severity", "Sphere", "TaperedCapsule", "World", "c", "defaults_text",
+           "joint_states", "load", "robot", "step_worlds"]

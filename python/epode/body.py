@@ -4,14 +4,15 @@
 from __future__ import annotations
 
 import weakref
-from collections.abc import Callable, Iterator
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterable, Iterator
+from typing import TYPE_CHECKING, Any, SupportsIndex
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import c
 from ._handle import FloatArray, Object, Value, flag, reads, reads_and_sets, switch, vector
+from .errors import RefusedError
 
 if TYPE_CHECKING:
     from .geom import Geom
@@ -195,24 +196,70 @@ class Bodies:
         handles = self._list()
         return (known[handles[i]] for i in range(len(handles)))
 
-    def __getitem__(self, index: int) -> Body:
+    def __getitem__(self, index: SupportsIndex) -> Body:
         return list(self)[index]
 
     def _list(self) -> c.BodyList:
         world = self._world
-        if world._body_list is None:
+        if world._live is None or world._body_list is None:
             world._body_list = c.dWorldGetBodies(world._handle)
         return world._body_list
 
-    def get(self, *names: str) -> FloatArray:
+    def get(self, *names: str, out: FloatArray | None = None) -> FloatArray:
         """One array with the named parts side by side, in the order of ``position``, ``quaternion``, ``velocity``,
-        ``angular_velocity``, ``force``, ``torque``, ``enabled``."""
-        return c.dBodiesGetStates(self._list(), self._fields(names))
+        ``angular_velocity``, ``force``, ``torque``, ``enabled``. out: a float64 array of that size to fill instead of a
+        new one."""
+        return c.dBodiesGetStates(self._list(), _fields(names), out)
 
     def set(self, states: ArrayLike, *names: str) -> None:
         """Set the named parts of all bodies from an array as ``get`` returns it."""
-        c.dBodiesSetStates(self._list(), self._fields(names), states)
+        c.dBodiesSetStates(self._list(), _fields(names), states)
 
-    def _fields(self, names: tuple[str, ...]) -> int:
-        self._world._handle
-        return sum(_COLUMNS[name][0] for name in set(names))
+
+class BodyGroup(Bodies):
+    """Some bodies, of one world or of several, with the same arrays: one C call reads a body of each of a thousand worlds."""
+
+    __slots__ = ("_members", "_handles")
+
+    def __init__(self, bodies: Iterable[Body]) -> None:
+        self._members = list(bodies)
+        self._handles = c.BodyList([body._handle for body in self._members])
+
+    def __iter__(self) -> Iterator[Body]:
+        return iter(self._members)
+
+    def _list(self) -> c.BodyList:
+        return self._handles
+
+    def get(self, *names: str, out: FloatArray | None = None) -> FloatArray:
+        """As ``Bodies.get``."""
+        try:
+            return super().get(*names, out=out)
+        except RefusedError:
+            self._must_live()
+            raise
+
+    def set(self, states: ArrayLike, *names: str) -> None:
+        """As ``Bodies.set``."""
+        try:
+            super().set(states, *names)
+        except RefusedError:
+            self._must_live()
+            raise
+
+    def _must_live(self) -> None:
+        for body in self._members:
+            body._handle
+
+
+def _fields(names: tuple[str, ...]) -> int:
+    known = _FIELDS.get(names)
+    if known is None:
+        unknown = [name for name in names if name not in _COLUMNS]
+        if unknown or not names:
+            raise ValueError(f"{', '.join(unknown) or 'nothing'}: no part of a state; there are {', '.join(_COLUMNS)}")
+        known = _FIELDS[names] = sum(_COLUMNS[name][0] for name in set(names))
+    return known
+
+
+_FIELDS: dict[tuple[str, ...], int] = {}

@@ -179,6 +179,11 @@ class Recording:
         page = html.escape(self.html(), quote=True)
         return f'<iframe srcdoc="{page}" style="width: 100%; height: 640px; border: 0" allowfullscreen></iframe>'
 
+    def view(self, **settings: Any) -> None:
+        """Open a window and play the recording until the user closes it (``epode.viewer.show``)."""
+        from .viewer import show
+        show(self, **settings)
+
     def picture(self, path: str | os.PathLike[str] | None = None, *, state: int = -1, width: int = 1280, height: int = 720,
                 eye: ArrayLike | None = None, target: ArrayLike | None = None) -> bytes:
         """A state as a PNG file, drawn without a display: from eye towards target, or from where all can be seen. Returns its

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 import os
 import typing
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -189,6 +189,8 @@ class Model:
         errors = [note for note in self.report if note.kind == "error"]
         if errors:
             more = f" (and {len(errors) - 1} more: epode.robot.check)" if len(errors) > 1 else ""
+            if "libsdformat" in errors[0].text:
+                more = "; wheels do not read SDF, pip install ./python -C cmake.define.EPODE_SDF=ON from a clone does"
             raise RefusedError(f"{errors[0].file}:{errors[0].line}: {errors[0].text}{more}")
         self.name, self.format = model.name, model.format
         self.links = [Link(*row) for row in model.links]
@@ -262,6 +264,17 @@ class Model:
         if found is None:
             raise KeyError(f"no link or frame is called {name!r}")
         return found
+
+    def save(self, path: Path) -> list[str]:
+        """Write the model to a file: URDF if it ends in .urdf, MJCF if in .xml or .mjcf. Paths of meshes count from its folder.
+        Returns a sentence for each thing that the format cannot say."""
+        return self._model.save(os.fspath(path))
+
+    def text(self, format: str, folder: Path = ".") -> tuple[str, list[str]]:
+        """What ``save`` would write to a file in a folder, and the sentences. format: "urdf" or "mjcf"."""
+        if format not in ("urdf", "mjcf"):
+            raise ValueError(f"no robot is written as {format!r}: urdf or mjcf")
+        return self._model.text(format == "urdf", os.fspath(folder))
 
     # ---- kinematics and dynamics ----
 
@@ -532,6 +545,62 @@ class Robot:
         if self._robot is not None:
             self._robot.release()
         self._robot = None
+
+
+class Robots:
+    """Robots of one model, each in a world of its own or several in one, with arrays that have a row for each: one call
+    reads or sets all. ``epode.step_worlds`` steps their ``worlds`` together."""
+
+    def __init__(self, robots: Iterable[Robot]) -> None:
+        self._robots = list(robots)
+        if not self._robots:
+            raise ValueError("at least one robot is expected")
+        if len({id(robot.model) for robot in self._robots}) > 1:
+            raise ValueError("robots of one model are expected")
+        self.model = self._robots[0].model
+
+    def __len__(self) -> int:
+        return len(self._robots)
+
+    def __iter__(self) -> Iterator[Robot]:
+        return iter(self._robots)
+
+    def __getitem__(self, index: typing.SupportsIndex) -> Robot:
+        return self._robots[index]
+
+    @property
+    def worlds(self) -> list[World]:
+        """Their worlds, each once."""
+        return list(dict.fromkeys(robot.world for robot in self._robots))
+
+    @property
+    def _live(self) -> list[_Robot]:
+        return [robot._live for robot in self._robots]
+
+    @property
+    def positions(self) -> FloatArray:
+        """A row of ``Robot.positions`` for each robot."""
+        return _c._many_positions(self._live)
+
+    @positions.setter
+    def positions(self, value: ArrayLike) -> None:
+        _c._set_many_positions(self._live, self._rows(value, self.model.position_count))
+
+    @property
+    def velocities(self) -> FloatArray:
+        """A row of ``Robot.velocities`` for each robot."""
+        return _c._many_velocities(self._live)
+
+    @velocities.setter
+    def velocities(self, value: ArrayLike) -> None:
+        _c._set_many_velocities(self._live, self._rows(value, self.model.velocity_count))
+
+    def control(self, values: ArrayLike) -> None:
+        """Set the controls of all actuators: a row for each robot, or one for all."""
+        _c._set_many_controls(self._live, self._rows(values, len(self.model.actuators)))
+
+    def _rows(self, value: ArrayLike, width: int) -> FloatArray:
+        return np.broadcast_to(np.asarray(value, float), (len(self), width))
 
 
 def _number(name: str | int, names: list[str], what: str) -> int:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import c
+from .enums import CombineRule
 
 
 class _Data:
@@ -205,7 +206,8 @@ class HeightField(Shape):
 
 @dataclasses.dataclass
 class Material:
-    """The surface of a geom. friction: Coulomb's coefficient; bounce: restitution, 0 to 1; compliance: m/N."""
+    """The surface of a geom. friction: Coulomb's coefficient; bounce: restitution, 0 to 1; compliance: m/N. The rules say how
+    the coefficients of a pair follow from those of its two geoms."""
     friction: float = 0.6
     bounce: float = 0.0
     bounce_speed: float = 1.0
@@ -213,6 +215,9 @@ class Material:
     rolling_friction: float = 0.0
     compliance: float = 0.0
     damping_time: float = 0.0
+    friction_rule: CombineRule = CombineRule.DEFAULT
+    bounce_rule: CombineRule = CombineRule.DEFAULT
+    rolling_friction_rule: CombineRule = CombineRule.DEFAULT
 
     def _to_c(self) -> c.dMaterial:
         material = c.dMaterial()
@@ -224,4 +229,6 @@ class Material:
     def _from_c(cls, material: c.dMaterial) -> Material:
         values = {f.name: getattr(material, f.name) for f in dataclasses.fields(cls)}
         values["surface_velocity"] = tuple(float(v) for v in values["surface_velocity"])
+        for name in ("friction_rule", "bounce_rule", "rolling_friction_rule"):
+            values[name] = CombineRule(values[name])
         return cls(**values)

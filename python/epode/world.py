@@ -14,9 +14,10 @@ from types import TracebackType
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import c
-from ._handle import FloatArray, Object, flag, reads_and_sets
+from . import _c, c
+from ._handle import FloatArray, Object, Value, flag, reads_and_sets
 from .body import Bodies, Body
+from .enums import Behaviour, CauseKind, Severity
 from .errors import RefusedError
 from .geom import Geom
 from .joint import TYPES, Joint
@@ -35,13 +36,14 @@ _SPACES: dict[str, Callable[[None], c.dSpaceID]] = {"hash": c.dHashSpaceCreate, 
 
 
 class Cause(typing.NamedTuple):
-    """What makes a world misbehave, see ``c.dDiagnosis``. body, other, joint, geom: handles of ``epode.c``, or None."""
-    kind: int
-    severity: int
-    body: object
-    other: object
-    joint: object
-    geom: object
+    """What makes a world misbehave: the objects to blame, as far as they are alive, the worst figure and what it should stay
+    below (``c.dDiagnosisKind`` has their unit), the step in which it was seen first, and in how many."""
+    kind: CauseKind
+    severity: Severity
+    body: Body | None
+    other: Body | None
+    joint: Joint | None
+    geom: Geom | None
     figure: float
     threshold: float
     first_step: int
@@ -201,9 +203,12 @@ class World(Object):
     hybrid_substeps = reads_and_sets(c.dWorldGetHybridSubsteps, c.dWorldSetHybridSubsteps, "Substeps of a hybrid step.")
     exact_substeps = reads_and_sets(c.dWorldGetExactSubsteps, c.dWorldSetExactSubsteps, "Substeps of an exact step.")
     exact_rotation = flag(c.dWorldGetExactRotation, c.dWorldSetExactRotation, "Rotate free bodies exactly.")
-    behaviour = reads_and_sets(c.dWorldGetBehaviour, c.dWorldSetBehaviour, "A ``c.dBehaviour``: whose results steps have.")
+    behaviour: Value[Behaviour, int] = Value(lambda self: Behaviour(c.dWorldGetBehaviour(self._handle)),
+                                             lambda self, value: c.dWorldSetBehaviour(self._handle, value),
+                                             doc="Whose results steps have.")
     auto_disable = flag(c.dWorldGetAutoDisableFlag, c.dWorldSetAutoDisableFlag, "Whether new bodies may fall asleep.")
     reports = flag(c.dWorldGetStepReportMode, c.dWorldSetStepReportMode, "Whether steps are reported (``report``).")
+    keeps_ledger = flag(c.dWorldGetEnergyLedgerMode, c.dWorldSetEnergyLedgerMode, "Whether steps account for energy (``ledger``).")
     diagnosing = flag(c.dWorldGetDiagnosisMode, c.dWorldSetDiagnosisMode, "Whether steps look for causes of failure (``diagnose``).")
 
     # ---- what is in it ----
@@ -390,6 +395,12 @@ class World(Object):
         self._handle
         return Recording(self).picture(path, width=width, height=height, eye=eye, target=target)
 
+    def view(self, h: float = 0.01, *, stepper: str | None = None, **settings: typing.Any) -> None:
+        """Open a window and step the world by h seconds as the clock says, until the user closes it (``epode.viewer.show``)."""
+        from .viewer import show
+        self._handle
+        show(self, h, stepper=stepper, **settings)
+
     # ---- what a step did ----
 
     @property
@@ -400,8 +411,20 @@ class World(Object):
 
     @property
     def contact_events(self) -> NDArray[typing.Any]:
-        """Pairs of the last step: a structured array with kind (0 begin, 1 persist, 2 end), g1 and g2."""
+        """Pairs of the last step: a structured array with kind (a ``ContactEventKind``), g1 and g2."""
         return c.dWorldGetContactEvents(self._handle)
+
+    @property
+    def materials(self) -> NDArray[typing.Any]:
+        """The surfaces of ``geoms``, in their order, as a structured array with the fields of ``Material``. Assigning one
+        sets all of them, or none if one is refused."""
+        self._handle
+        return _c._get_materials([geom._live for geom in self._geoms.values()])
+
+    @materials.setter
+    def materials(self, values: NDArray[typing.Any]) -> None:
+        self._handle
+        _c._set_materials([geom._live for geom in self._geoms.values()], values)
 
     def list_events(self, **settings: float) -> None:
         """List ``events`` from the next step on. settings: the fields of ``c.dEventSettings``, such as kinds and
@@ -416,7 +439,7 @@ class World(Object):
     @property
     def events(self) -> NDArray[typing.Any]:
         """What happened in the last step, if ``list_events`` was called before it: a structured array with kind
-        (``c.dEventContactBegin``, ...), g1 and g2 (``geom_of`` knows them), joint, pos, normal, approach_speed, impulse
+        (an ``EventKind``), g1 and g2 (``geom_of`` knows them), joint, pos, normal, approach_speed, impulse
         and gone."""
         return c.dWorldGetEvents(self._handle)
 
@@ -424,14 +447,47 @@ class World(Object):
         """The Geom that a structured array names; None where there is none."""
         return self._geoms.get(int(key))
 
+    def broken_joints(self) -> list[Joint]:
+        """The joints that broke in the last step (``Joint.break_limits``)."""
+        broken = c.dWorldGetBrokenJoints(self._handle)
+        return [self._joints[broken[i]] for i in range(len(broken)) if broken[i] in self._joints]
+
     def report(self) -> c.dWorldStepReport | None:
         """A ``c.dWorldStepReport`` of the last step, or None; set ``reports`` first."""
         report = c.dWorldStepReport()
         return report if c.dWorldGetStepReport(self._handle, report) else None
 
+    def island_reports(self) -> list[c.dIslandStepReport]:
+        """A ``c.dIslandStepReport`` of each island of the last step, from the one with the youngest body on; set ``reports``
+        first. ``IslandMethod`` has the names of its method."""
+        total = self.report()
+        reports = [c.dIslandStepReport() for _ in range(0 if total is None else total.islands)]
+        for island, report in enumerate(reports):
+            c.dWorldGetIslandStepReport(self._handle, island, report)
+        return reports
+
+    def ledger(self) -> c.dEnergyLedger | None:
+        """A ``c.dEnergyLedger`` of the last step: what gravity, forces, drives, friction, impacts and the rest did to the
+        energy, J; or None. Set ``keeps_ledger`` first."""
+        ledger = c.dEnergyLedger()
+        return ledger if c.dWorldGetEnergyLedger(self._handle, ledger) else None
+
+    def island_ledgers(self) -> list[c.dEnergyLedger]:
+        """The same of each island."""
+        total = self.ledger()
+        ledgers = [c.dEnergyLedger() for _ in range(0 if total is None else total.islands)]
+        for island, ledger in enumerate(ledgers):
+            c.dWorldGetIslandEnergyLedger(self._handle, island, ledger)
+        return ledgers
+
     def diagnose(self) -> list[Cause]:
         """Why the world misbehaves: the causes seen since ``diagnosing`` was set, the worst first, each a ``Cause``."""
-        return [Cause(*fields) for fields in c.dWorldDiagnose(self._handle)]
+        causes = []
+        for kind, severity, body, other, joint, geom, *figures in c.dWorldDiagnose(self._handle):
+            objects = (self._bodies.get(body), self._bodies.get(other), self._joints.get(joint),
+                       None if geom is None else self._geoms.get(geom.id))
+            causes.append(Cause(CauseKind(kind), Severity(severity), *objects, *figures))
+        return causes
 
     # ---- queries ----
 

@@ -193,7 +193,10 @@ nb::object matrix_of(const dReal* v)
 nb::object empty_records(nb::handle dtype, size_t count, void** data)
 {
     nb::object array = nb::module_::import_("numpy").attr("zeros")(count, dtype);
-    *data = reinterpret_cast<void*>(nb::cast<size_t>(array.attr("ctypes").attr("data")));
+    Py_buffer view;
+    if (PyObject_GetBuffer(array.ptr(), &view, PyBUF_WRITABLE) != 0) throw nb::python_error();
+    *data = view.buf;
+    PyBuffer_Release(&view);  // the array stays where it is
     return array;
 }
 
@@ -256,6 +259,8 @@ void Call::done()
         if (PyErr_WarnEx(warning, one.text.c_str(), 1) < 0) throw nb::python_error();
     }
 }
+
+bool any_is_busy() { return busy_count.load(std::memory_order_acquire) > 0; }
 
 Released::Released(const dWorldID* worlds, size_t count) : worlds_(worlds), count_(count)
 {

@@ -118,6 +118,9 @@ class Call {
     std::vector<Said> said_;
 };
 
+// Whether any world is in a step on another thread.
+bool any_is_busy();
+
 // The worlds of a step, marked busy, and the interpreter's lock released, while this lives.
 class Released {
   public:
@@ -149,6 +152,7 @@ void set_exceptions(nb::object refused, nb::object dead, nb::object busy, nb::ob
 void bind_structures(nb::module_& m);
 void bind_functions(nb::module_& m);
 void bind_written(nb::module_& m);
+void bind_arrays(nb::module_& m);
 void bind_shapes(nb::module_& m);
 void bind_callbacks(nb::module_& m);
 void bind_command(nb::module_& m);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <tuple>
 #include <vector>
 
 #include "calls.h"
@@ -32,3 +33,10 @@ struct HandleList {
 };
 using BodyList = HandleList<dBodyID>;
 using JointList = HandleList<dJointID>;
+
+// A dtype of numpy: (name, format, offset) of each field.
+nb::object dtype_of(const std::vector<std::tuple<const char*, const char*, size_t>>& fields, size_t size);
+#define FIELD(struct_, name, format)           \
+    {                                          \
+#name, format, offsetof(struct_, name) \
+    }

@@ -42,9 +42,11 @@ NB_MODULE(_c, m)
     bind_structures(m);
     bind_functions(m);
     bind_written(m);
+    bind_arrays(m);
     bind_shapes(m);
     bind_callbacks(m);
     bind_recording(m);
+    bind_picture(m);
     bind_command(m);
     bind_robots(m);
 }

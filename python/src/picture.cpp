@@ -1,160 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A recorded state as pixels, drawn without display or GPU. Geoms that the renderer does not have are drawn as triangles;
-// joints as lines from their anchors to the bodies' centres.
+// A recorded state as pixels, drawn without display or GPU, or into the OpenGL context that is current in this thread:
+// epode.viewer opens windows with the package glfw from PyPI, so this module needs no window system to be imported.
 #include "recording.h"
 
 #ifdef EPODE_HAVE_DRAWING
 
 #include <algorithm>
-#include <cmath>
+#include <memory>
 
-#include "record/output/animation.h"
-#include "record/output/tessellate.h"
+#include "studio.h"
 #include "viewer/headless.h"
-#include "viewer/picture.h"
 #include "viewer/renderer.h"
 
 namespace {
 
 using namespace epode;
-using record::Pose;
-using record::ShapeKind;
 
-constexpr double kPlaneReach = 20;
-
-// v turned by q = w x y z: v + 2 w (u x v) + 2 u x (u x v).
-record::Vec3 turned(const record::Quat& q, const record::Vec3& v)
+[[noreturn]] void fail(const std::string& problem)
 {
-    const auto cross = [](const record::Vec3& a, const record::Vec3& b) {
-        return record::Vec3{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-    };
-    const record::Vec3 u{q[1], q[2], q[3]}, once = cross(u, v), twice = cross(u, once);
-    record::Vec3 result;
-    for (size_t i = 0; i < 3; ++i) result[i] = v[i] + 2 * q[0] * once[i] + 2 * twice[i];
-    return result;
+    PyErr_SetString(PyExc_RuntimeError, problem.c_str());
+    throw nb::python_error();
 }
-record::Vec3 placed(const Pose& pose, const record::Vec3& v)
-{
-    record::Vec3 p = turned(pose.turn, v);
-    for (size_t i = 0; i < 3; ++i) p[i] += pose.pos[i];
-    return p;
-}
-
-viewer::Shape posed(viewer::Shape shape, const Pose& pose)
-{
-    const record::Vec3 columns[3] = {turned(pose.turn, {1, 0, 0}), turned(pose.turn, {0, 1, 0}),
-                                     turned(pose.turn, {0, 0, 1})};
-    for (size_t i = 0; i < 3; ++i) {
-        shape.pos[i] = float(pose.pos[i]);
-        for (size_t k = 0; k < 3; ++k) shape.rot[4 * i + k] = float(columns[k][i]);
-    }
-    return shape;
-}
-
-bool is_simple(const record::Shape& from, viewer::Shape& to)
-{
-    static const std::pair<ShapeKind, viewer::ShapeKind> kinds[] = {
-        {ShapeKind::kSphere, viewer::ShapeKind::kSphere},
-        {ShapeKind::kBox, viewer::ShapeKind::kBox},
-        {ShapeKind::kCapsule, viewer::ShapeKind::kCapsule},
-        {ShapeKind::kCylinder, viewer::ShapeKind::kCylinder}};
-    std::copy_n(from.size.begin(), 3, to.size);
-    for (const auto& [kind, drawn] : kinds)
-        if (from.kind == kind) {
-            to.kind = drawn;
-            return true;
-        }
-    return false;
-}
-
-class Studio {
-  public:
-    Studio(const record::Recording& recording, size_t state) : recording_(recording), state_(state)
-    {
-        const auto living = recording.living(state);
-        poses_.resize(recording.bodies.size());
-        for (size_t i = 0; i < living.size(); ++i) poses_[living[i]] = recording.steps[state].bodies[i].pose;
-        picture.ground = false;
-        for (std::uint32_t g = 0; g < recording.geoms.size(); ++g)
-            if (recording.geom_lives[g].at(state)) add_geom(g);
-        for (std::uint32_t j = 0; j < recording.joints.size(); ++j)
-            if (recording.joint_lives[j].at(state)) add_joint(recording.joints[j]);
-    }
-
-    viewer::Picture picture;
-    std::vector<viewer::Shape> extents;  // what the camera should see
-
-  private:
-    void add_geom(std::uint32_t number)
-    {
-        record::Geom geom = recording_.geoms[number];
-        for (const record::Move& move : recording_.moves)
-            if (move.geom == number && move.step <= state_) geom.body = move.body, geom.pose = move.pose;
-        const record::Shape& shape = recording_.shapes[geom.shape];
-        if (shape.kind == ShapeKind::kPlane && shape.size[2] > 0.999) {
-            picture.ground = true;
-            picture.ground_height = float(shape.size[3]);
-            return;
-        }
-        const bool still = geom.body == record::kNobody;
-        const Pose pose = still ? geom.pose : record::compose(poses_[size_t(geom.body)], geom.pose);
-        viewer::Shape drawn;
-        drawn.color = still ? viewer::kStone : viewer::body_color(std::uint32_t(geom.body));
-        if (is_simple(shape, drawn)) {
-            picture.shapes.push_back(posed(drawn, pose));
-            extents.push_back(picture.shapes.back());
-        } else {
-            add_triangles(record::tessellate(shape, kPlaneReach), pose, drawn.color);
-        }
-    }
-
-    void add_triangles(const record::Surface& surface, const Pose& pose, viewer::Color color)
-    {
-        record::Vec3 low{1e30, 1e30, 1e30}, high{-1e30, -1e30, -1e30};
-        for (size_t i = 0; i + 2 < surface.corners.size(); i += 3) {
-            viewer::Triangle triangle;
-            triangle.color = color;
-            for (size_t k = 0; k < 3; ++k) {
-                const auto &p = surface.points[surface.corners[i + k]],
-                           &n = surface.normals[surface.corners[i + k]];
-                const record::Vec3 at = placed(pose, {p[0], p[1], p[2]}),
-                                   normal = turned(pose.turn, {n[0], n[1], n[2]});
-                for (size_t j = 0; j < 3; ++j) {
-                    triangle.corners[k].pos[j] = float(at[j]);
-                    triangle.corners[k].normal[j] = float(normal[j]);
-                    low[j] = std::min(low[j], at[j]);
-                    high[j] = std::max(high[j], at[j]);
-                }
-            }
-            picture.triangles.push_back(triangle);
-        }
-        if (surface.corners.empty()) return;
-        viewer::Shape box;
-        for (size_t j = 0; j < 3; ++j) {
-            box.pos[j] = float((low[j] + high[j]) / 2);
-            box.size[j] = std::max(float(high[j] - low[j]), 1e-3f);
-        }
-        extents.push_back(box);
-    }
-
-    void add_joint(const record::Joint& joint)
-    {
-        for (size_t i = 0; i < 2; ++i) {
-            if (!joint.has_anchor[i] || joint.body[i] == record::kNobody) continue;
-            const Pose& pose = poses_[size_t(joint.body[i])];
-            const record::Vec3 anchor = placed(pose, joint.anchor[i]);
-            viewer::Line line;
-            for (size_t k = 0; k < 3; ++k) line.a[k] = float(anchor[k]), line.b[k] = float(pose.pos[k]);
-            picture.lines.push_back(line);
-        }
-    }
-
-    const record::Recording& recording_;
-    size_t state_;
-    std::vector<Pose> poses_;  // by the numbers of bodies
-};
 
 void set_camera(Studio& studio, nb::object eye, nb::object target)
 {
@@ -168,6 +36,54 @@ void set_camera(Studio& studio, nb::object eye, nb::object target)
         const auto to = numbers<3>(target, "target");
         std::copy_n(to.v, 3, picture.camera.target);
     }
+}
+
+// Draws into the context that was current when it was made; it is used and dies while that one is current.
+class Painter {
+  public:
+    Painter()
+    {
+        std::string problem;
+        renderer_ = std::make_unique<viewer::Renderer>();
+        if (!renderer_->open(problem)) fail(problem);
+    }
+
+    void draw(const WorldRecording& from, size_t state, int width, int height, nb::object eye,
+              nb::object target)
+    {
+        if (state >= from.recording.steps.size()) throw nb::index_error("there is no such state");
+        Studio studio(from.recording, state);
+        studio.picture.width = width;
+        studio.picture.height = height;
+        studio.picture.quality = viewer::kQuick;
+        set_camera(studio, eye, target);
+        std::string problem;
+        if (!viewer::check_picture(studio.picture, problem) || !renderer_->draw(studio.picture, problem))
+            fail(problem);
+        renderer_->show(0);
+    }
+
+    void close() { renderer_.reset(); }
+
+  private:
+    std::unique_ptr<viewer::Renderer> renderer_;
+};
+
+// The eye and the target from which a state can be seen as a whole.
+nb::object camera(const WorldRecording& from, size_t state, double aspect)
+{
+    if (state >= from.recording.steps.size()) throw nb::index_error("there is no such state");
+    const Studio studio(from.recording, state);
+    const viewer::Camera its = viewer::frame_shapes(studio.extents, float(aspect));
+    const dReal eye[] = {its.eye[0], its.eye[1], its.eye[2]},
+                target[] = {its.target[0], its.target[1], its.target[2]};
+    return nb::make_tuple(array_of(eye, 3), array_of(target, 3));
+}
+
+nb::bytes screen(int width, int height)
+{
+    const std::vector<std::uint8_t> pixels = viewer::read_pixels(0, width, height);
+    return nb::bytes(pixels.data(), pixels.size());
 }
 
 }  // namespace
@@ -190,11 +106,19 @@ nb::bytes picture_of(const record::Recording& recording, size_t state, int width
         drawn = open && viewer::check_picture(studio.picture, problem) && renderer.open(problem) &&
                 renderer.draw(studio.picture, problem) && renderer.read(pixels, problem);
     }
-    if (!drawn) {
-        PyErr_SetString(PyExc_RuntimeError, problem.c_str());
-        throw nb::python_error();
-    }
+    if (!drawn) fail(problem);
     return nb::bytes(pixels.data(), pixels.size());
+}
+
+void bind_picture(nb::module_& m)
+{
+    nb::class_<Painter>(m, "_Painter")
+        .def(nb::init<>())
+        .def("draw", &Painter::draw, "recording"_a, "state"_a, "width"_a, "height"_a, "eye"_a.none(),
+             "target"_a.none())
+        .def("close", &Painter::close);
+    m.def("_camera", camera, "recording"_a, "state"_a, "aspect"_a);
+    m.def("_screen", screen, "width"_a, "height"_a);
 }
 
 #else
@@ -206,5 +130,7 @@ nb::bytes picture_of(const epode::record::Recording&, size_t, int, int, nb::obje
         "this build of epode draws no pictures: libepoxy-dev, libegl-dev and libstb-dev were not there");
     throw nb::python_error();
 }
+
+void bind_picture(nb::module_&) {}
 
 #endif

@@ -20,3 +20,4 @@ nb::bytes picture_of(const epode::record::Recording& recording, size_t state, in
                      nb::object eye, nb::object target);
 
 void bind_recording(nb::module_& m);
+void bind_picture(nb::module_& m);

@@ -9,6 +9,7 @@
 
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "robots/build.h"
@@ -16,6 +17,7 @@
 #include "robots/kinematics.h"
 #include "robots/load.h"
 #include "robots/sensors.h"
+#include "robots/write/write.h"
 
 using namespace epode::robots;
 
@@ -101,6 +103,31 @@ Model* load(const std::string& path, nb::object text, nb::dict options)
     return new Model{
         text.is_none() ? load_robot(path, its) : load_robot_text(path, nb::cast<std::string>(text), its),
         nullptr};
+}
+
+nb::list sentences(const std::vector<std::string>& all)
+{
+    nb::list out;
+    for (const std::string& one : all) out.append(one);
+    return out;
+}
+
+// What the format cannot say.
+nb::list save(const Model& m, const std::string& path)
+{
+    std::vector<std::string> lost;
+    std::string problem;
+    Call call;
+    if (!save_robot(m.model, path, lost, problem)) Call::say({true, d_ERR_UASSERT, problem});
+    call.done();
+    return sentences(lost);
+}
+
+// (text, what the format cannot say)
+nb::object text_of(const Model& m, bool as_urdf, const std::string& folder)
+{
+    const WrittenRobot written = as_urdf ? write_urdf(m.model, folder) : write_mjcf(m.model, folder);
+    return nb::make_tuple(written.text, sentences(written.lost));
 }
 
 nb::list report(const Model& m)
@@ -288,6 +315,84 @@ void set_target(Built& robot, int joint, double target, double stiffness, double
     call.done();
 }
 
+// Arrays with a row for each of many robots of one model. Rows are judged before the first is taken.
+using Many = std::vector<Built*>;
+
+const RobotModel& model_of(const Many& robots)
+{
+    for (const Built* robot : robots)
+        if (&robot->model() != &robots[0]->model()) throw nb::value_error("robots of one model are expected");
+    return robots[0]->model();
+}
+
+void use_all(Call& call, const Many& robots)
+{
+    if (!any_is_busy()) return;
+    for (const Built* robot : robots) call.uses(robot->robot->body(int(robot->model().links.size()) - 1));
+}
+
+template <typename F>
+nb::object rows_of(const Many& robots, size_t width, F get)
+{
+    dReal* data;
+    nb::object out = real_array(robots.size(), std::max<size_t>(width, 1), &data);
+    Call call;
+    use_all(call, robots);
+    for (const Built* robot : robots) {
+        const Reals its = get(*robot->robot);
+        data = std::copy(its.begin(), its.end(), data);
+    }
+    call.done();
+    return out;
+}
+
+template <typename F>
+void take_rows(const Many& robots, nb::object from, size_t width, const char* what, F put)
+{
+    const Reals all = read(from, robots.size() * width, what);
+    Call call;
+    use_all(call, robots);
+    for (size_t i = 0; i < robots.size(); ++i) put(*robots[i], &all[i * width]);
+    call.done();
+}
+
+nb::object many_positions(const Many& robots)
+{
+    return rows_of(robots, size_t(model_of(robots).coordinates),
+                   [](const Robot& r) { return r.positions(); });
+}
+
+nb::object many_velocities(const Many& robots)
+{
+    return rows_of(robots, speeds(model_of(robots)), [](const Robot& r) { return r.velocities(); });
+}
+
+void set_many_positions(const Many& robots, nb::object from)
+{
+    const size_t width = size_t(model_of(robots).coordinates);
+    take_rows(robots, from, width, "positions", [&](Built& robot, const double* row) {
+        robot.robot->set_positions(Reals(row, row + width));
+        robot.sensors->begin();
+    });
+}
+
+void set_many_velocities(const Many& robots, nb::object from)
+{
+    const size_t width = speeds(model_of(robots));
+    take_rows(robots, from, width, "velocities", [&](Built& robot, const double* row) {
+        robot.robot->set_velocities(Reals(row, row + width));
+        robot.sensors->begin();
+    });
+}
+
+void set_many_controls(const Many& robots, nb::object from)
+{
+    const size_t width = model_of(robots).actuators.size();
+    take_rows(robots, from, width, "controls", [&](Built& robot, const double* row) {
+        for (size_t i = 0; i < width; ++i) robot.robot->set_control(int(i), row[i]);
+    });
+}
+
 int link_of(const Built& robot, int link)
 {
     if (link < 0 || link >= int(robot.model().links.size())) throw nb::index_error("no such link");
@@ -410,6 +515,8 @@ void bind_robots(nb::module_& m)
         .def("inverse_dynamics", get_inverse_dynamics)
         .def("inverse", get_inverse, "guess"_a, "goals"_a, "weights"_a.none(), "posture"_a.none(),
              "max_iterations"_a, "max_starts"_a, "tolerance"_a)
+        .def("save", save)
+        .def("text", text_of)
         .def("build", build);
     nb::class_<Built>(m, "_Robot")
         .def_prop_ro("bodies", [](const Built& s) { return handles(s.robot->all_bodies()); })
@@ -435,6 +542,11 @@ void bind_robots(nb::module_& m)
         .def("rays", rays)
         .def("picture", picture)
         .def("read_sensor", read_sensor);
+    m.def("_many_positions", many_positions);
+    m.def("_many_velocities", many_velocities);
+    m.def("_set_many_positions", set_many_positions);
+    m.def("_set_many_velocities", set_many_velocities);
+    m.def("_set_many_controls", set_many_controls);
 }
 
 #else

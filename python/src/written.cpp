@@ -7,33 +7,12 @@
 
 #include <algorithm>
 #include <string>
-#include <tuple>
 
 #include "filter.h"
 #include "written_texts.h"
 
 namespace {
 
-nb::object dtype_of(std::vector<std::tuple<const char*, const char*, size_t>> fields, size_t size)
-{
-    nb::list names, formats, offsets;
-    for (auto& [name, format, offset] : fields) {
-        names.append(name);
-        formats.append(format);
-        offsets.append(offset);
-    }
-    nb::dict spec;
-    spec["names"] = names;
-    spec["formats"] = formats;
-    spec["offsets"] = offsets;
-    spec["itemsize"] = size;
-    return nb::module_::import_("numpy").attr("dtype")(spec);
-}
-
-#define FIELD(struct_, name, format)           \
-    {                                          \
-#name, format, offsetof(struct_, name) \
-    }
 nb::object contact_type()
 {
     using C = dWorldContact;
@@ -62,9 +41,17 @@ nb::object hit_type()
                     sizeof(H));
 }
 
+// A type is made once.
+template <nb::object (*Make)()>
+nb::handle type_of()
+{
+    static PyObject* const type = Make().release().ptr();
+    return type;
+}
+
 // Asks for the number, then for the elements.
 template <typename T, typename F>
-nb::object records(nb::object dtype, F ask)
+nb::object records(nb::handle dtype, F ask)
 {
     int count = ask(static_cast<T*>(nullptr), 0);
     void* data;
@@ -78,62 +65,6 @@ nb::list wrapped_all(const std::vector<T>& handles)
     nb::list result;
     for (T handle : handles) result.append(wrapped(handle));
     return result;
-}
-
-int width_of(unsigned fields)
-{
-    static const int widths[] = {3, 4, 3, 3, 3, 3, 1};
-    int width = 0;
-    for (int i = 0; i < 7; ++i)
-        if (fields >> i & 1) width += widths[i];
-    return width;
-}
-
-template <typename P>
-void use_all(Call& call, const HandleList<P>& list)
-{
-    for (P one : list.v) call.uses(one);
-}
-
-nb::object get_states(const BodyList& bodies, unsigned fields)
-{
-    dReal* data;
-    int width = width_of(fields);
-    nb::object result = real_array(bodies.v.size(), size_t(std::max(width, 1)), &data);
-    Call call;
-    use_all(call, bodies);
-    dBodiesGetStates(bodies.v.data(), int(bodies.v.size()), fields, data, 0);
-    call.done();
-    return result;
-}
-
-void set_states(const BodyList& bodies, unsigned fields, nb::object from)
-{
-    auto rows = array_in<double>(from);
-    if (rows.size != bodies.v.size() * size_t(width_of(fields))) {
-        std::string text = std::to_string(bodies.v.size()) + " rows of " + std::to_string(width_of(fields)) +
-                           " numbers expected, not " + std::to_string(rows.size) + " numbers";
-        throw nb::value_error(text.c_str());
-    }
-    Call call;
-    use_all(call, bodies);
-    dBodiesSetStates(bodies.v.data(), int(bodies.v.size()), fields, rows.data, 0);
-    call.done();
-}
-
-nb::object joint_states(const JointList& joints, int stride)
-{
-    if (stride < 1 || stride > 3) throw nb::value_error("stride: 1, 2 or 3 axes expected");
-    dReal *value, *rate;
-    nb::object values = real_array(joints.v.size(), size_t(stride), &value),
-               rates = real_array(joints.v.size(), size_t(stride), &rate);
-    std::fill_n(value, joints.v.size() * size_t(stride), 0);
-    std::fill_n(rate, joints.v.size() * size_t(stride), 0);
-    Call call;
-    use_all(call, joints);
-    dJointsGetStates(joints.v.data(), int(joints.v.size()), value, rate, stride);
-    call.done();
-    return nb::make_tuple(values, rates);
 }
 
 nb::bytes get_state(const WorldHandle* world)
@@ -256,7 +187,7 @@ nb::object ray_all(const SpaceHandle* space, nb::object origin, nb::object direc
     dReal o[4] = {from.v[0], from.v[1], from.v[2]}, d[4] = {to.v[0], to.v[1], to.v[2]};
     Call call;
     call.uses(space_of(space));
-    nb::object result = records<dQueryHit>(hit_type(), [&](dQueryHit* hits, int n) {
+    nb::object result = records<dQueryHit>(type_of<hit_type>(), [&](dQueryHit* hits, int n) {
         return dSpaceRayAll(space_of(space), o, d, length, filter_of(filter), hits, n);
     });
     call.done();
@@ -271,7 +202,7 @@ nb::object ray_batch(const SpaceHandle* space, nb::object origins, nb::object di
     if (o.size % 3 || d.size != o.size || l.size != count || count > (1u << 30))
         throw nb::value_error("origins and directions of n rows of 3 numbers and n lengths expected");
     void* data;
-    nb::object result = empty_records(hit_type(), count, &data);
+    nb::object result = empty_records(type_of<hit_type>(), count, &data);
     const dQueryFilter* found = filter_of(filter);
     Call call;
     call.uses(space_of(space));
@@ -328,23 +259,6 @@ void hinge2_axes(const JointHandle* joint, nb::object axis1, nb::object axis2)
     call.done();
 }
 
-template <typename P>
-void bind_list(nb::module_& m, const char* name)
-{
-    using L = HandleList<P>;
-    nb::class_<L>(m, name)
-        .def("__init__",
-             [](L* self, const std::vector<Handle<P>*>& handles) {
-                 new (self) L;
-                 for (const Handle<P>* handle : handles) self->v.push_back(get(handle));
-             })
-        .def("__len__", [](const L& list) { return list.v.size(); })
-        .def("__getitem__", [](const L& list, size_t i) {
-            if (i >= list.v.size()) throw nb::index_error();
-            return wrapped(list.v[i]);
-        });
-}
-
 template <typename P, auto F>
 HandleList<P> of_world(const WorldHandle* world)
 {
@@ -360,7 +274,7 @@ nb::object records_of_world(const WorldHandle* world)
 {
     Call call;
     call.uses(get(world));
-    nb::object result = records<T>(Type(), [&](T* out, int n) { return F(get(world), out, n); });
+    nb::object result = records<T>(type_of<Type>(), [&](T* out, int n) { return F(get(world), out, n); });
     call.done();
     return result;
 }
@@ -399,15 +313,10 @@ std::string defaults_text(int preset)
 
 void bind_written(nb::module_& m)
 {
-    bind_list<dBodyID>(m, "BodyList");
-    bind_list<dJointID>(m, "JointList");
     m.def("dWorldGetBodies", of_world<dBodyID, dWorldGetBodies>, "world"_a.none(), TEXT(dWorldGetBodies));
     m.def("dWorldGetJoints", of_world<dJointID, dWorldGetJoints>, "world"_a.none(), TEXT(dWorldGetJoints));
     m.def("dWorldGetBrokenJoints", of_world<dJointID, dWorldGetBrokenJoints>, "world"_a.none(),
           TEXT(dWorldGetBrokenJoints));
-    m.def("dBodiesGetStates", get_states, "bodies"_a, "fields"_a, TEXT(dBodiesGetStates));
-    m.def("dBodiesSetStates", set_states, "bodies"_a, "fields"_a, "states"_a, TEXT(dBodiesSetStates));
-    m.def("dJointsGetStates", joint_states, "joints"_a, "stride"_a = 1, TEXT(dJointsGetStates));
     m.def("dWorldGetState", get_state, "world"_a.none(), TEXT(dWorldGetState));
     m.def("dWorldSetState", set_state, "world"_a.none(), "state"_a, TEXT(dWorldSetState));
     m.def("dWorldGetStateDelta", get_delta, "world"_a.none(), "base"_a, TEXT(dWorldGetStateDelta));

@@ -178,6 +178,68 @@ def test_many_worlds_of_one_model_have_the_same_bits(walker):
     assert len({r.positions.tobytes() for r in robots}) == 1
 
 
+@pytest.mark.parametrize("ending", ["urdf", "xml"])
+def test_a_model_is_written_and_read_again(arm, walker, tmp_path, ending):
+    path = tmp_path / f"again.{ending}"
+    lost = arm.save(path)
+    assert any(("capsules" if ending == "urdf" else "limits of velocities") in sentence for sentence in lost)
+    again = epode.load(path)
+    assert again.joint_names == arm.joint_names and again.format == ("URDF" if ending == "urdf" else "MJCF")
+    q, v, a = np.random.default_rng(4).normal(size=(3, 7)) * 0.4
+    assert again.mass_matrix(q) == pytest.approx(arm.mass_matrix(q), abs=1e-12)
+    assert again.inverse_dynamics(q, v, a) == pytest.approx(arm.inverse_dynamics(q, v, a), abs=1e-10)
+    text, lost = walker.text("mjcf" if ending == "xml" else "urdf", MODELS)
+    assert text.startswith("<") and all(isinstance(sentence, str) for sentence in lost)
+    if ending == "xml":
+        assert epode.robot.from_text(text, MODELS / "x.xml").mass_matrix(walker.reference) == pytest.approx(
+            walker.mass_matrix(walker.reference), abs=1e-12)
+
+
+def test_what_cannot_be_written_is_refused(arm, tmp_path):
+    for path in (tmp_path / "arm.sdf", tmp_path / "nowhere" / "arm.urdf"):
+        with pytest.raises(epode.RefusedError, match="arm"):
+            arm.save(path)
+        assert not path.exists()
+    with pytest.raises(ValueError, match="sdf"):
+        arm.text("sdf")
+
+
+def test_sdf_is_read_or_refused_with_what_to_do():
+    try:
+        model = epode.load(MODELS / "geared.sdf")
+    except epode.RefusedError as error:
+        assert "EPODE_SDF" in str(error)
+    else:
+        assert model.format == "SDF" and model.build().world.bodies
+
+
+def test_many_robots_are_arrays(walker):
+    robots = epode.robot.Robots(walker.build(start="up") for _ in range(6))
+    assert len(robots.worlds) == len(robots) == 6
+    np.testing.assert_array_equal(robots.positions, [robot.positions for robot in robots])
+    wanted = robots.positions
+    wanted[:, 0] += np.arange(6)
+    robots.positions = wanted
+    robots.velocities = np.linspace(-1, 1, walker.velocity_count)
+    assert robots[5].positions == pytest.approx(wanted[5]) and robots[2].velocities == pytest.approx(robots[0].velocities)
+    robots.control(np.full((6, len(walker.actuators)), 5.0))
+    assert robots[3].controls.tolist() == robots[0].controls.tolist() and robots[3].controls[0] == 1
+    before = robots.positions
+    bad = before + 1
+    bad[4, 0] = np.nan
+    for act in (lambda: setattr(robots, "positions", bad), lambda: setattr(robots, "positions", before[:, 1:]), lambda: robots.control([0, 1, 2] * 9)):
+        with pytest.raises(ValueError):
+            act()
+    np.testing.assert_array_equal(robots.positions, before)
+    with pytest.raises(ValueError, match="one model"):
+        epode.robot.Robots([robots[0], epode.load(MODELS / "walker.xml").build()])
+    with pytest.raises(ValueError, match="at least one"):
+        epode.robot.Robots([])
+    robots[1].world.destroy()
+    with pytest.raises(epode.DeadHandleError):
+        robots.positions
+
+
 def test_bad_arguments_are_named(arm):
     robot = arm.build()
     for call in (lambda: arm.fk([1, 2]), lambda: arm.fk([np.nan] * 7), lambda: setattr(robot, "positions", [0] * 6),

@@ -382,7 +382,7 @@ def test_a_diagnosis_names_the_body_that_was_thrown():
     thrown.velocity = (1e9, 0, 0)
     world.step(0.01)
     cause = world.diagnose()[0]
-    assert cause.kind == epode.c.dDiagnosisInput and cause.body == thrown._handle and cause.text
+    assert cause.kind == epode.CauseKind.INPUT and cause.body is thrown and cause.text
 
 
 def test_the_interpreter_ends_with_worlds_alive():
