@@ -24,7 +24,7 @@ def least(function, rounds, repeats):
 
 
 def import_seconds(module):
-    code = f"import numpy, time; t = time.process_time(); import {module}; print(time.process_time() - t)"
+    code = f"import numpy, time; t = time.thread_time(); import {module}; print(time.thread_time() - t)"
     return min(float(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout) for _ in range(7))
 
 

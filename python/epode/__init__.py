@@ -13,17 +13,22 @@
 
 Lengths are in m, masses in kg, angles in rad; quaternions are w x y z. ``epode.c`` has the whole C API.
 """
-from . import c, robot
+from typing import TYPE_CHECKING, Any
+
+from . import c
 from .body import Body, BodyGroup
 from .enums import (Behaviour, CauseKind, CombineRule, ContactEventKind, EventGone, EventKind, IslandMethod, Severity)
 from .errors import BusyError, DeadHandleError, EpodeWarning, RefusedError
 from .geom import Geom
 from .joint import Drive, Joint, joint_states
 from .recording import Recording
-from .robot import load
 from .shapes import (Box, Capsule, Cone, Convex, Cylinder, Ellipsoid, HeightField, Material, Mesh, Plane, Sphere,
                      TaperedCapsule)
 from .world import Cause, World, defaults_text, step_worlds
+
+if TYPE_CHECKING:
+    from . import robot
+    from .robot import load
 
 __version__ = "0.1.0"
 __all__ = ["Behaviour", "Body", "BodyGroup", "Box", "BusyError", "Capsule", "Cause", "CauseKind", "CombineRule", "Cone",
@@ -31,3 +36,13 @@ __all__ = ["Behaviour", "Body", "BodyGroup", "Box", "BusyError", "Capsule", "Cau
            "EventGone", "EventKind", "Geom", "HeightField", "IslandMethod", "Joint", "Material", "Mesh", "Plane",
            "Recording", "RefusedError", "Severity", "Sphere", "TaperedCapsule", "World", "c", "defaults_text",
            "joint_states", "load", "robot", "step_worlds"]
+
+
+def __getattr__(name: str) -> Any:
+    """epode.robot and epode.load are imported when they are used first: the rest does not wait for them."""
+    if name in ("robot", "load"):
+        import importlib
+        robot = importlib.import_module(".robot", __name__)
+        globals().update(robot=robot, load=robot.load)
+        return globals()[name]
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

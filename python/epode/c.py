@@ -6,9 +6,6 @@ Handles are typed objects, and what a function writes through a pointer is what 
 is an array, ``dJointGetBreakLimits(joint)`` a tuple of the result and two numbers. Structures are objects that are
 passed and written to. ``coverage()`` says how each function of the headers is reached, or why it is not.
 """
-import json as _json
-from importlib import resources as _resources
-
 from . import errors as _errors
 from . import _c
 from ._c import *  # noqa: F401,F403
@@ -18,6 +15,8 @@ _c._set_exceptions(_errors.RefusedError, _errors.DeadHandleError, _errors.BusyEr
 
 def coverage() -> dict[str, str]:
     """{function of the headers: "generated", "written" or "left out: why"}."""
-    text = _resources.files("epode").joinpath("coverage.json").read_text()
-    functions: dict[str, str] = _json.loads(text)["functions"]
+    import json
+    import os
+    with open(os.path.join(os.path.dirname(__file__), "coverage.json"), encoding="ascii") as file:
+        functions: dict[str, str] = json.load(file)["functions"]
     return functions

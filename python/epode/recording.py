@@ -3,14 +3,9 @@
 """Recordings of worlds: to look at in a notebook or a browser, to plot, to compare; and pictures."""
 from __future__ import annotations
 
-import html
 import os
 import struct
-import tempfile
 import weakref
-import zlib
-from importlib import resources
-from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Self
 
@@ -27,13 +22,14 @@ if TYPE_CHECKING:
 
 def _use_page() -> None:
     """Say where the replay page is, unless the user has."""
-    page = resources.files("epode").joinpath("replay.html")
-    if page.is_file():
-        os.environ.setdefault("EPODE_PAGE", str(page))
+    page = os.path.join(os.path.dirname(__file__), "replay.html")
+    if os.path.isfile(page):
+        os.environ.setdefault("EPODE_PAGE", page)
 
 
 def _png(pixels: bytes, width: int, height: int) -> bytes:
     """An 8-bit RGB PNG file of rows from the top."""
+    import zlib  # as other modules here: an import of the package does not wait for them
     rows = np.frombuffer(pixels, np.uint8).reshape(height, 3 * width)
     filtered = np.concatenate([np.zeros((height, 1), np.uint8), rows], axis=1).tobytes()
 
@@ -170,12 +166,15 @@ class Recording:
 
     def html(self, fps: float = 60) -> str:
         """The replay page, one file for any browser."""
+        import tempfile
         with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "page.html"
+            path = os.path.join(folder, "page.html")
             self.save(path, fps)
-            return path.read_text(encoding="utf-8")
+            with open(path, encoding="utf-8") as file:
+                return file.read()
 
     def _repr_html_(self) -> str:
+        import html
         page = html.escape(self.html(), quote=True)
         return f'<iframe srcdoc="{page}" style="width: 100%; height: 640px; border: 0" allowfullscreen></iframe>'
 
@@ -193,5 +192,6 @@ class Recording:
                 raise ValueError(f"{name} {side}: 1 to 4096 expected")
         png = _png(self._data.picture(self._state(state), width, height, eye, target), width, height)
         if path is not None:
-            Path(path).write_bytes(png)
+            with open(path, "wb") as file:
+                file.write(png)
         return png
