@@ -7,9 +7,9 @@
 
 #include <vector>
 
-#include "record/animation.h"
-#include "record/recording.h"
-#include "record/tessellate.h"
+#include "record/output/animation.h"
+#include "record/file/recording.h"
+#include "record/output/tessellate.h"
 #include "viewer/picture.h"
 
 class Studio {

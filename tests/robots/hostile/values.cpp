@@ -269,7 +269,7 @@ Value Values::sized(int argument, unsigned struct_size, std::size_t size, bool h
     return v;
 }
 
-Value Values::room(int argument, std::size_t size, bool hostile)
+Value Values::output(int argument, std::size_t size, bool hostile)
 {
     if (hostile && below(2)) return none();
     return block(argument, nullptr, size);
@@ -418,13 +418,13 @@ Value Values::choose(const RobotFunction& function, int argument, bool hostile)
         case Role::kTouch:
             return sized(argument, sizeof(dRobotTouch), sizeof(dRobotTouch), hostile);
         case Role::kRoom:
-            return room(argument, kRoomSize, hostile);
+            return output(argument, kRoomSize, hostile);
         case Role::kRoomForFew:
-            return room(argument, sizeof(dRobotTarget), hostile);
+            return output(argument, sizeof(dRobotTarget), hostile);
         case Role::kRangeRoom:
-            return room(argument, kRays * sizeof(dReal), hostile);
+            return output(argument, kRays * sizeof(dReal), hostile);
         case Role::kRoomOrNone:
-            return below(3) ? room(argument, kSide * kSide * sizeof(void*), hostile) : none();
+            return below(3) ? output(argument, kSide * kSide * sizeof(void*), hostile) : none();
     }
     return none();
 }

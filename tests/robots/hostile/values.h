@@ -45,7 +45,7 @@ class Values {
     Value inverse_options(int argument, bool hostile);
     Value camera(int argument, bool hostile);
     Value sized(int argument, unsigned struct_size, std::size_t size, bool hostile);
-    Value room(int argument, std::size_t size, bool hostile);
+    Value output(int argument, std::size_t size, bool hostile);
     Value block(int argument, const void* content, std::size_t size);
     template <typename Type>
     Value structure(int argument, const Type& content, Trait trait)
