@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
-"""Ants for reinforcement learning, Epode's recipe beside gymnasium's own vector environments on MuJoCo, in the same minutes and on
+"""Ants for reinforcement learning, Epode's recipe compared with gymnasium's own vector environments on MuJoCo, in the same minutes and on
 the same random actions: python_vector.py [COUNT], in an environment with epode, gymnasium and mujoco. Both have 5 steps of 0.01 s in
-one of the environment; the fastest of some rounds in turn counts, since the machine may be busy. Beside the time: mean height and
+one of the environment; the fastest of some rounds in turn counts, since the machine may be busy. Next to the time: mean height and
 mean forward speed of the torso, and how many episodes end, since a fast engine that is another machine would be no use."""
 import importlib.util
 import pathlib

@@ -24,8 +24,8 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 bool has(const char* text, const char* part) { return std::strstr(text, part) != nullptr; }
 bool is_output(Role role)
 {
-    return role == Role::kRoom || role == Role::kRoomOrNone || role == Role::kRangeRoom ||
-           role == Role::kRoomForFew;
+    return role == Role::kOutput || role == Role::kOutputOrNone || role == Role::kRangeOutput ||
+           role == Role::kFewOutputs;
 }
 
 // What is written to its rooms are reals.
@@ -111,7 +111,8 @@ class Runner {
             is_named = is_named || has(message, std::string(f.name) + ": ");
         if (!is_named) fault(f, "refuses without a message that names it" + about);
         for (std::size_t i = 0; i < f.roles.size(); ++i)
-            if (is_output(f.roles[i]) && !values_.is_untouched(int(i))) fault(f, "refused, but writes" + about);
+            if (is_output(f.roles[i]) && !values_.is_untouched(int(i)))
+                fault(f, "refused, but writes" + about);
         if (scene_.hash() != before) fault(f, "refused, but the state has changed" + about);
     }
 
@@ -122,7 +123,7 @@ class Runner {
             fault(f, "lets libode refuse: " + message.substr(0, 60));
         if (!writes_reals(f.name)) return;
         for (std::size_t i = 0; i < f.roles.size(); ++i) {
-            const bool written = is_output(f.roles[i]) || f.roles[i] == Role::kPositionRoom;
+            const bool written = is_output(f.roles[i]) || f.roles[i] == Role::kPositionOutput;
             if (written && !values_.is_number(int(i))) fault(f, "writes NaN");
         }
     }

@@ -51,11 +51,11 @@ enum class Role {
     kResult,
     kCamera,
     kTouch,
-    kRoom,        // as many elements as the capacity says
-    kRoomOrNone,  // for a few reals, or as many as there are rays or pixels
-    kRoomForFew,
-    kRangeRoom,
-    kPositionRoom,
+    kOutput,        // as many elements as the capacity says
+    kOutputOrNone,  // for a few reals, or as many as there are rays or pixels
+    kFewOutputs,
+    kRangeOutput,
+    kPositionOutput,
 };
 
 struct RobotFunction {

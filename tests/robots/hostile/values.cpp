@@ -15,7 +15,7 @@ constexpr dReal kNotANumber = std::numeric_limits<dReal>::quiet_NaN(),
 constexpr dReal kHuge = std::numeric_limits<dReal>::max(), kTiny = std::numeric_limits<dReal>::denorm_min();
 // What robots' functions take at most.
 constexpr dReal kLimit = sizeof(dReal) == 8 ? dReal(1e30) : dReal(1e9);
-constexpr std::size_t kRoomSize = 1 << 16;
+constexpr std::size_t kOutputSize = 1 << 16;
 constexpr int kRays = 16, kSide = 16, kTargets = 2, kMaxPositions = 64;
 
 template <typename Type>
@@ -364,7 +364,7 @@ Value Values::choose(const RobotFunction& function, int argument, bool hostile)
                         hostile);
         case Role::kPositions:
             return reals(argument, positions_, hostile);
-        case Role::kPositionRoom:
+        case Role::kPositionOutput:
             return reals(argument, positions_, hostile);
         case Role::kVelocities:
             return reals(argument, velocities_, hostile);
@@ -417,13 +417,13 @@ Value Values::choose(const RobotFunction& function, int argument, bool hostile)
             return camera(argument, hostile);
         case Role::kTouch:
             return sized(argument, sizeof(dRobotTouch), sizeof(dRobotTouch), hostile);
-        case Role::kRoom:
-            return output(argument, kRoomSize, hostile);
-        case Role::kRoomForFew:
+        case Role::kOutput:
+            return output(argument, kOutputSize, hostile);
+        case Role::kFewOutputs:
             return output(argument, sizeof(dRobotTarget), hostile);
-        case Role::kRangeRoom:
+        case Role::kRangeOutput:
             return output(argument, kRays * sizeof(dReal), hostile);
-        case Role::kRoomOrNone:
+        case Role::kOutputOrNone:
             return below(3) ? output(argument, kSide * kSide * sizeof(void*), hostile) : none();
     }
     return none();
@@ -449,17 +449,17 @@ int Values::must_refuse(const RobotFunction& function, const Value* arguments) c
         const Role role = function.roles[std::size_t(i)];
         const Trait trait = arguments[i].trait;
         const bool of_rays =
-            is(role, {Role::kDirections, Role::kRangeRoom}) && value_of(Role::kRayCount) == 0;
+            is(role, {Role::kDirections, Role::kRangeOutput}) && value_of(Role::kRayCount) == 0;
         const bool of_targets = role == Role::kTargets && value_of(Role::kTargetCount) == 0;
         if (of_rays || of_targets) continue;
         if (trait == Trait::kBad || trait == Trait::kNaN) return i;
         if (trait != Trait::kNull) continue;
-        if (is(role,
-               {Role::kSpaceOrNone, Role::kVelocitiesOrNone, Role::kPointOrNone, Role::kTurnOrNone,
-                Role::kFrameOrNone, Role::kOptions, Role::kInverseOptions, Role::kResult, Role::kRoomOrNone}))
+        if (is(role, {Role::kSpaceOrNone, Role::kVelocitiesOrNone, Role::kPointOrNone, Role::kTurnOrNone,
+                      Role::kFrameOrNone, Role::kOptions, Role::kInverseOptions, Role::kResult,
+                      Role::kOutputOrNone}))
             continue;
-        if (is(role, {Role::kPositions, Role::kPositionRoom}) && positions_ == 0) continue;
-        if (role == Role::kRoom && value_of(Role::kCapacity) == 0) continue;
+        if (is(role, {Role::kPositions, Role::kPositionOutput}) && positions_ == 0) continue;
+        if (role == Role::kOutput && value_of(Role::kCapacity) == 0) continue;
         return i;
     }
     return -1;
