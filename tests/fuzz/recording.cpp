@@ -4,29 +4,13 @@
 // The reader of recordings on any bytes, whose chunks get the right checksums.
 #include "record/file/recording.h"
 
-#include <malloc.h>
-
-#include <new>
+#include <sanitizer/allocator_interface.h>
 
 #include "../record/sample.h"
 #include "meter.h"
 #include "record/file/format.h"
 #include "record/file/reader.h"
 #include "seal.h"
-
-void* operator new(std::size_t size)
-{
-    void* const block = std::malloc(size);
-    if (!block) throw std::bad_alloc();
-    epode::fuzz::Meter::took(malloc_usable_size(block));
-    return block;
-}
-void operator delete(void* block) noexcept
-{
-    if (block) epode::fuzz::Meter::gave(malloc_usable_size(block));
-    std::free(block);
-}
-void operator delete(void* block, std::size_t) noexcept { operator delete(block); }
 
 namespace {
 
@@ -47,8 +31,19 @@ void seal(Bytes& file)
     }
 }
 
+// All memory of the process passes the meter from now on.
+void meter_process()
+{
+    __sanitizer_install_malloc_and_free_hooks(
+        [](const volatile void*, std::size_t size) { Meter::took(size); },
+        [](const volatile void* block) {
+            if (block) Meter::gave(__sanitizer_get_allocated_size(block));
+        });
+}
+
 bool make_seed()
 {
+    meter_process();
     keep_seed("sample", 0, bytes_of(sample_recording()));
     return true;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "limit.h"
 #include "robots/meshes/meshes.h"
 #include "robots/meshes/solid.h"
 
@@ -12,6 +13,7 @@ using namespace epode::robots;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
+    const epode::fuzz::TimeLimit limit;
     Mesh mesh;
     std::string problem;
     const std::string bytes(reinterpret_cast<const char*>(data), size);

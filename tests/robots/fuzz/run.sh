@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
 #
-# run.sh SECONDS [ENDING ...]: builds the targets by clang with sanitizers and runs each (or those of the endings) for so long, from
-# the tests' models. An input that crashes, takes longer than two seconds (SDF: 20, most of them libsdformat's) or more than 2 GiB is left in out/fuzz/robots/ENDING, and the
-# exit code is 1. What was found is kept there and goes on growing.
+# run.sh SECONDS [ENDING ...]: builds the targets by clang with sanitizers and runs each (or those of the endings) for so long, or for
+# EPODE_FUZZ_RUNS inputs if these take less, from the tests' models. An input that crashes, takes longer than limit.h allows or more than 2 GiB
+# is left in out/fuzz/robots/ENDING, and the exit code is 1. What was found is kept there and goes on growing.
 set -euo pipefail
 cd "$(dirname "$0")/../../.."
 seconds=$1
@@ -20,7 +20,7 @@ for ending in "${endings[@]}"; do
   out=out/fuzz/robots/$ending
   mkdir -p "$out/corpus" "$out/seeds"
   find tests/robots/models demos/robots -name "*.$ending" -exec cp {} "$out/seeds" \;
-  "$build/fuzz_$ending" -max_total_time="$seconds" -timeout=$([ "$ending" = sdf ] && echo 20 || echo 2) -rss_limit_mb=2048 -max_len=32768 -dict=$build/words.dict -print_final_stats=1 \
+  "$build/fuzz_$ending" -max_total_time="$seconds" -runs="${EPODE_FUZZ_RUNS:--1}" -timeout=120 -rss_limit_mb=2048 -max_len=32768 -dict=$build/words.dict -print_final_stats=1 \
     -artifact_prefix="$out/" "$out/corpus" "$out/seeds" > "$out/log.txt" 2>&1 || failed=1
   echo "$ending: $(grep -E 'number_of_executed_units|ERROR|SUMMARY' "$out/log.txt" | tr '\n' ' ')$(grep -oE 'cov: [0-9]+' "$out/log.txt" | tail -n 1)"
 done
