@@ -7,6 +7,7 @@
 #include "robots/api.h"
 #include "robots/body_poses.h"
 #include "robots/kinematics.h"
+#include "robots/sensor_kinds.h"
 
 using namespace epode::robots;
 

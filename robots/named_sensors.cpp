@@ -5,30 +5,12 @@
 #include <algorithm>
 
 #include "robots/kinematics.h"
+#include "robots/sensor_kinds.h"
 #include "robots/sensors.h"
 
 namespace epode::robots {
 
 namespace {
-
-struct Kind {
-    const char* name;
-    int values;
-};
-
-// Of a joint or an actuator's joint; of a frame.
-constexpr Kind kOfJoints[] = {{"jointpos", 1},    {"jointvel", 1}, {"jointactuatorfrc", 1},
-                              {"actuatorfrc", 1}, {"ballquat", 4}, {"ballangvel", 3}};
-constexpr Kind kOfFrames[] = {{"accelerometer", 3}, {"gyro", 3},        {"velocimeter", 3}, {"force", 3},
-                              {"torque", 3},        {"touch", 1},       {"rangefinder", 1}, {"framepos", 3},
-                              {"framequat", 4},     {"framelinvel", 3}, {"frameangvel", 3}};
-
-template <size_t n>
-int find(const Kind (&kinds)[n], const std::string& name)
-{
-    const auto found = std::find_if(kinds, kinds + n, [&](const Kind& kind) { return name == kind.name; });
-    return found == kinds + n ? 0 : found->values;
-}
 
 std::vector<double> list_of(Vec v) { return {v.x, v.y, v.z}; }
 
@@ -41,8 +23,6 @@ int joint_of(const RobotModel& model, const Sensor& sensor)
 }
 
 }  // namespace
-
-int values_of(const std::string& kind) { return find(kOfJoints, kind) + find(kOfFrames, kind); }
 
 std::vector<double> Sensors::read_joint(const Sensor& sensor) const
 {
@@ -81,9 +61,9 @@ std::vector<double> Sensors::read(int number, dSpaceID space, std::string& probl
 {
     const Sensor& sensor = robot_.model().sensors[size_t(number)];
     problem = "a sensor that is computed, on something that the model has";
-    if (find(kOfJoints, sensor.kind)) return read_joint(sensor);
+    if (values_of_joint_sensor(sensor.kind)) return read_joint(sensor);
     Frame frame;
-    if (!find(kOfFrames, sensor.kind) || !robot_.model().frame_named(sensor.object, frame)) return {};
+    if (!values_of_frame_sensor(sensor.kind) || !robot_.model().frame_named(sensor.object, frame)) return {};
     Vec first, second;
     if (sensor.kind == "accelerometer" || sensor.kind == "gyro") {
         problem = "dRobotUpdateSensors after every step";

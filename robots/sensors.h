@@ -30,9 +30,6 @@ struct Pixels {
     unsigned char* color = nullptr;
 };
 
-// How many numbers a kind of sensor of a file has, 0 of kinds that are not computed.
-int values_of(const std::string& kind);
-
 class Sensors {
   public:
     Sensors(const Robot& robot, dWorldID world);

@@ -3,7 +3,7 @@
 //
 // Actuators, equalities, tendons, contacts, keys and sensors: see mjcf.h.
 #include "robots/read/mjcf.h"
-#include "robots/sensors.h"
+#include "robots/sensor_kinds.h"
 
 namespace epode::robots {
 

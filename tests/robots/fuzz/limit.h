@@ -17,8 +17,8 @@ class TimeLimit {
   public:
     ~TimeLimit()
     {
-        if (seconds() - began_ < kMost) return;
-        std::fprintf(stderr, "took more than %g s of the processor\n", kMost);
+        if (seconds() - began_ < kMaxSeconds) return;
+        std::fprintf(stderr, "took more than %g s of the processor\n", kMaxSeconds);
         std::abort();
     }
 
@@ -30,7 +30,7 @@ class TimeLimit {
         return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
     }
 
-    static constexpr double kMost = std::string_view(EPODE_ENDING) == "sdf" ? 20 : 2;
+    static constexpr double kMaxSeconds = std::string_view(EPODE_ENDING) == "sdf" ? 20 : 2;
     const double began_ = seconds();
 };
 

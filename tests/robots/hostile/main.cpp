@@ -25,10 +25,10 @@ bool has(const char* text, const char* part) { return std::strstr(text, part) !=
 bool is_output(Role role)
 {
     return role == Role::kOutput || role == Role::kOutputOrNone || role == Role::kRangeOutput ||
-           role == Role::kFewOutputs;
+           role == Role::kFewOutput;
 }
 
-// What is written to its rooms are reals.
+// What is written to its outputs are reals.
 bool writes_reals(const char* name)
 {
     for (const char* part :
@@ -123,7 +123,7 @@ class Runner {
             fault(f, "lets libode refuse: " + message.substr(0, 60));
         if (!writes_reals(f.name)) return;
         for (std::size_t i = 0; i < f.roles.size(); ++i) {
-            const bool written = is_output(f.roles[i]) || f.roles[i] == Role::kPositionOutput;
+            const bool written = is_output(f.roles[i]) || f.roles[i] == Role::kPositionInOut;
             if (written && !values_.is_number(int(i))) fault(f, "writes NaN");
         }
     }

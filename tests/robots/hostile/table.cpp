@@ -40,7 +40,7 @@ using enum Role;
 #define FILLS(type, name, ...) entry<name, __VA_ARGS__>(#name, unsigned(sizeof(type)))
 
 constexpr RobotFunction kAll[] = {
-    FILLS(dRobotOptions, dRobotOptionsInit, kFewOutputs, kStructSize),
+    FILLS(dRobotOptions, dRobotOptionsInit, kFewOutput, kStructSize),
     FUNCTION(dRobotModelLoad, kLoadPath, kOptions),
     FUNCTION(dRobotModelLoadText, kLoadPath, kText, kTextSize, kOptions),
     FUNCTION(dRobotModelSave, kModel, kSavePath),
@@ -63,11 +63,10 @@ constexpr RobotFunction kAll[] = {
     FUNCTION(dRobotModelGetMassMatrix, kModel, kPositions, kOutput, kCapacity),
     FUNCTION(dRobotModelGetInverseDynamics, kModel, kPositions, kVelocitiesOrNone, kVelocitiesOrNone, kOutput,
              kCapacity),
-    FUNCTION(dRobotModelFindFrame, kModel, kName, kFewOutputs),
-    FUNCTION(dRobotTargetInit, kFewOutputs, kAnyNumber),
-    FILLS(dRobotInverseOptions, dRobotInverseOptionsInit, kFewOutputs, kStructSize),
-    FUNCTION(dRobotModelGetInverse, kModel, kTargets, kTargetCount, kInverseOptions, kPositionOutput,
-             kResult),
+    FUNCTION(dRobotModelFindFrame, kModel, kName, kFewOutput),
+    FUNCTION(dRobotTargetInit, kFewOutput, kAnyNumber),
+    FILLS(dRobotInverseOptions, dRobotInverseOptionsInit, kFewOutput, kStructSize),
+    FUNCTION(dRobotModelGetInverse, kModel, kTargets, kTargetCount, kInverseOptions, kPositionInOut, kResult),
     FUNCTION(dRobotCreate, kWorld, kSpaceOrNone, kModel, kPointOrNone, kTurnOrNone),
     FUNCTION(dRobotDestroy, kRobot),
     FUNCTION(dRobotGetBody, kRobot, kNumber),
@@ -86,7 +85,7 @@ constexpr RobotFunction kAll[] = {
     FUNCTION(dRobotGetTouch, kRobot, kNumber, kTouch),
     FUNCTION(dRobotCastRays, kRobot, kNumber, kFrameOrNone, kSpace, kRayCount, kDirections, kDistance,
              kRangeOutput, kOutputOrNone),
-    FILLS(dRobotCamera, dRobotCameraInit, kFewOutputs, kStructSize),
+    FILLS(dRobotCamera, dRobotCameraInit, kFewOutput, kStructSize),
     FUNCTION(dRobotTakePicture, kRobot, kNumber, kFrameOrNone, kSpace, kCamera, kOutputOrNone, kOutputOrNone,
              kOutputOrNone),
     FUNCTION(dRobotModelGetSensors, kModel, kOutput, kCapacity),

@@ -53,9 +53,9 @@ enum class Role {
     kTouch,
     kOutput,        // as many elements as the capacity says
     kOutputOrNone,  // for a few reals, or as many as there are rays or pixels
-    kFewOutputs,
+    kFewOutput,
     kRangeOutput,
-    kPositionOutput,
+    kPositionInOut,
 };
 
 struct RobotFunction {

@@ -364,7 +364,7 @@ Value Values::choose(const RobotFunction& function, int argument, bool hostile)
                         hostile);
         case Role::kPositions:
             return reals(argument, positions_, hostile);
-        case Role::kPositionOutput:
+        case Role::kPositionInOut:
             return reals(argument, positions_, hostile);
         case Role::kVelocities:
             return reals(argument, velocities_, hostile);
@@ -419,7 +419,7 @@ Value Values::choose(const RobotFunction& function, int argument, bool hostile)
             return sized(argument, sizeof(dRobotTouch), sizeof(dRobotTouch), hostile);
         case Role::kOutput:
             return output(argument, kOutputSize, hostile);
-        case Role::kFewOutputs:
+        case Role::kFewOutput:
             return output(argument, sizeof(dRobotTarget), hostile);
         case Role::kRangeOutput:
             return output(argument, kRays * sizeof(dReal), hostile);
@@ -458,7 +458,7 @@ int Values::must_refuse(const RobotFunction& function, const Value* arguments) c
                       Role::kFrameOrNone, Role::kOptions, Role::kInverseOptions, Role::kResult,
                       Role::kOutputOrNone}))
             continue;
-        if (is(role, {Role::kPositions, Role::kPositionOutput}) && positions_ == 0) continue;
+        if (is(role, {Role::kPositions, Role::kPositionInOut}) && positions_ == 0) continue;
         if (role == Role::kOutput && value_of(Role::kCapacity) == 0) continue;
         return i;
     }

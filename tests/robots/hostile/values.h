@@ -21,7 +21,7 @@ class Values {
     void choose(const RobotFunction& function, Value* arguments, int often);
     // The argument for whose value the call must be refused, or -1.
     int must_refuse(const RobotFunction& function, const Value* arguments) const;
-    // Whether a room is as it was given.
+    // Whether an output is as it was given.
     bool is_untouched(int argument) const;
     // Whether no real that was written to it is NaN.
     bool is_number(int argument) const;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See sensor_kinds.h.
+#include "robots/sensor_kinds.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace epode::robots {
+
+namespace {
+
+struct Kind {
+    const char* name;
+    int values;
+};
+
+constexpr Kind kOfJoints[] = {{"jointpos", 1},    {"jointvel", 1}, {"jointactuatorfrc", 1},
+                              {"actuatorfrc", 1}, {"ballquat", 4}, {"ballangvel", 3}};
+constexpr Kind kOfFrames[] = {{"accelerometer", 3}, {"gyro", 3},        {"velocimeter", 3}, {"force", 3},
+                              {"torque", 3},        {"touch", 1},       {"rangefinder", 1}, {"framepos", 3},
+                              {"framequat", 4},     {"framelinvel", 3}, {"frameangvel", 3}};
+
+template <size_t n>
+int find(const Kind (&kinds)[n], const std::string& name)
+{
+    const auto found = std::find_if(kinds, kinds + n, [&](const Kind& kind) { return name == kind.name; });
+    return found == kinds + n ? 0 : found->values;
+}
+
+}  // namespace
+
+int values_of_joint_sensor(const std::string& kind) { return find(kOfJoints, kind); }
+int values_of_frame_sensor(const std::string& kind) { return find(kOfFrames, kind); }
+int values_of(const std::string& kind) { return values_of_joint_sensor(kind) + values_of_frame_sensor(kind); }
+
+}  // namespace epode::robots
