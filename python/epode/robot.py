@@ -26,7 +26,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _c, c
-from ._handle import FloatArray
+from ._handle import FloatArray, Value
+from ._poses import _moved, _number, _product
 from .body import Body
 from .errors import DeadHandleError, RefusedError
 from .geom import Geom
@@ -577,23 +578,14 @@ class Robots:
     def _live(self) -> list[_Robot]:
         return [robot._live for robot in self._robots]
 
-    @property
-    def positions(self) -> FloatArray:
-        """A row of ``Robot.positions`` for each robot."""
-        return _c._many_positions(self._live)
-
-    @positions.setter
-    def positions(self, value: ArrayLike) -> None:
-        _c._set_many_positions(self._live, self._rows(value, self.model.position_count))
-
-    @property
-    def velocities(self) -> FloatArray:
-        """A row of ``Robot.velocities`` for each robot."""
-        return _c._many_velocities(self._live)
-
-    @velocities.setter
-    def velocities(self, value: ArrayLike) -> None:
-        _c._set_many_velocities(self._live, self._rows(value, self.model.velocity_count))
+    positions: Value[FloatArray, ArrayLike] = Value(
+        lambda self: _c._many_positions(self._live),
+        lambda self, value: _c._set_many_positions(self._live, self._rows(value, self.model.position_count)),
+        doc="A row of ``Robot.positions`` for each robot.")
+    velocities: Value[FloatArray, ArrayLike] = Value(
+        lambda self: _c._many_velocities(self._live),
+        lambda self, value: _c._set_many_velocities(self._live, self._rows(value, self.model.velocity_count)),
+        doc="A row of ``Robot.velocities`` for each robot.")
 
     def control(self, values: ArrayLike) -> None:
         """Set the controls of all actuators: a row for each robot, or one for all."""
@@ -601,24 +593,3 @@ class Robots:
 
     def _rows(self, value: ArrayLike, width: int) -> FloatArray:
         return np.broadcast_to(np.asarray(value, float), (len(self), width))
-
-
-def _number(name: str | int, names: list[str], what: str) -> int:
-    if isinstance(name, str):
-        if name not in names:
-            raise KeyError(f"no {what} is called {name!r}: {', '.join(names)}")
-        return names.index(name)
-    return int(name)
-
-
-def _product(a: FloatArray, b: FloatArray) -> FloatArray:
-    """Of two quaternions."""
-    w, v, x, u = a[0], a[1:], b[0], b[1:]
-    return np.concatenate([[w * x - v @ u], w * u + x * v + np.cross(v, u)])
-
-
-def _moved(pose: FloatArray, point: ArrayLike) -> FloatArray:
-    """Where a point of a frame is whose pose, position and quaternion, is given."""
-    v, p = pose[4:7], np.asarray(point, float)
-    t = 2 * np.cross(v, p)
-    return np.asarray(p + pose[3] * t + np.cross(v, t) + pose[:3], float)

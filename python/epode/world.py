@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _c, c
 from ._handle import FloatArray, Object, Value, flag, reads_and_sets
+from ._structure import Description, Structure
 from .body import Bodies, Body
 from .enums import Behaviour, CauseKind, Severity
 from .errors import RefusedError
@@ -51,51 +52,7 @@ class Cause(typing.NamedTuple):
     text: str
 
 
-class _Structure:
-    """The objects of a world and their handles after a step."""
-
-    __slots__ = ("edition", "handles", "riders")
-
-    def __init__(self, world: World) -> None:
-        self.edition = world._edition
-        self.handles: list[tuple[Body | Joint | Geom, typing.Any]] = [
-            (one, one._live) for group in (world._bodies, world._joints, world._geoms) for one in group.values()]
-        self.riders = [list(body.geoms) for body in world._bodies.values()]
-
-    def restore(self, world: World) -> None:
-        """Make the world's objects what they were."""
-        for group in (world._bodies, world._joints, world._geoms):
-            for one in group.values():
-                one._live = None
-            group.clear()
-        world._body_list = None
-        self.edition = world._edition = world._edition + 1
-        for one, handle in self.handles:
-            one._live = handle
-            if isinstance(one, Body):
-                world._bodies[handle] = one
-            elif isinstance(one, Joint):
-                world._joints[handle] = one
-            else:
-                world._geoms[one._key] = one
-        for body, riders in zip(world._bodies.values(), self.riders):
-            body.geoms = list(riders)
-
-
-class _Description:
-    """What Python knows of a world in addition to the library: types of joints, shapes, and who belongs to whom, by number."""
-
-    def __init__(self, world: World) -> None:
-        number = {body: i for i, body in enumerate(world._bodies.values())}
-
-        def place(body: Body | None) -> int | None:
-            return None if body is None else number.get(body)
-        self.stepper = world.stepper
-        self.joints = [(joint.type, place(joint.body1), place(joint.body2)) for joint in world._joints.values()]
-        self.geoms = [(geom.shape, place(geom.body)) for geom in world._geoms.values()]
-
-
-def _unpickled(file: bytes, description: _Description, numbers: list[int]) -> World:
+def _unpickled(file: bytes, description: Description, numbers: list[int]) -> World:
     """The world that ``World.__reduce__`` has written."""
     handle, space = c.dWorldLoadFromBuffer(file)
     assert space is not None
@@ -120,7 +77,7 @@ class World(Object):
     _geoms: dict[int, Geom]
     _space: c.dSpaceID
     _body_list: c.BodyList | None
-    _past: collections.deque[_Structure] | None  # after the steps that can be taken back
+    _past: collections.deque[Structure] | None  # after the steps that can be taken back
     stepper: str  # of step()
     _edition: int  # grows when something is made or destroyed
     _recording: Recording | None
@@ -547,7 +504,7 @@ class World(Object):
     def __reduce__(self) -> tuple[typing.Any, ...]:
         """Pickles hold the world's file and what Python knows in addition."""
         numbers = [self._geom_number(geom) for geom in self._geoms.values()]
-        return _unpickled, (c.dWorldSaveToBuffer(self._handle, self._space), _Description(self), numbers)
+        return _unpickled, (c.dWorldSaveToBuffer(self._handle, self._space), Description(self), numbers)
 
     def _geom_number(self, geom: Geom) -> int:
         return next(i for i in range(c.dSpaceGetNumGeoms(self._space)) if c.dSpaceGetGeom(self._space, i) == geom._live)
@@ -561,9 +518,9 @@ class World(Object):
         world._edition, world.bodies, world.stepper = 0, Bodies(world), "exact"
         return world
 
-    def _adopt(self, like: World | _Description, bodies: list[c.dBodyID], joints: list[c.dJointID], geoms: list[c.dGeomID]) -> None:
+    def _adopt(self, like: World | Description, bodies: list[c.dBodyID], joints: list[c.dJointID], geoms: list[c.dGeomID]) -> None:
         """Make objects for handles like those of another world."""
-        was = like if isinstance(like, _Description) else _Description(like)
+        was = like if isinstance(like, Description) else Description(like)
         self.stepper = was.stepper
         for body in bodies:
             self._bodies[body] = Body(self, body)
@@ -588,7 +545,7 @@ class World(Object):
     @history.setter
     def history(self, steps: int) -> None:
         c.dWorldSetHistory(self._handle, steps)
-        self._past = collections.deque([_Structure(self)], steps + 1) if steps else None
+        self._past = collections.deque([Structure(self)], steps + 1) if steps else None
 
     @property
     def history_steps(self) -> int:
@@ -609,7 +566,7 @@ class World(Object):
         """Note what there is after some steps of a world that has a history."""
         assert self._past is not None
         last = self._past[-1]
-        self._past.extend([last if last.edition == self._edition else _Structure(self)] * steps)
+        self._past.extend([last if last.edition == self._edition else Structure(self)] * steps)
 
     def save_changes(self, base: bytes) -> bytes:
         """What has changed since the state base, as bytes; what sleeps costs next to nothing."""
