@@ -3,10 +3,8 @@
 //
 // STL. Binary: 80 bytes, a count, and for each triangle twelve floats (the first three a normal) and two bytes. Text:
 // the words "vertex x y z", three to a triangle. Some binary files begin with "solid" as texts do: the size decides.
-#include <algorithm>
+#include <bit>
 #include <cstring>
-#include <numeric>
-#include <tuple>
 
 #include "robots/meshes/formats.h"
 #include "robots/meshes/words.h"
@@ -17,26 +15,50 @@ namespace {
 
 constexpr size_t kHead = 84, kTriangle = 50;  // bytes
 
+// The vertices of a mesh by their place: slots with open addressing, from the bits of the coordinates.
+class Places {
+  public:
+    explicit Places(size_t corners) : slots_(std::bit_ceil(2 * corners + 1), kNone) {}
+
+    // The number of the vertex at that place, which is added if there is none.
+    std::uint32_t number_of(Vec v, std::vector<Vec>& vertices)
+    {
+        for (size_t slot = hash(v);; ++slot) {
+            std::uint32_t& its = slots_[slot & (slots_.size() - 1)];
+            if (its == kNone) {
+                its = std::uint32_t(vertices.size());
+                vertices.push_back(v);
+            }
+            const Vec known = vertices[its];
+            if (known.x == v.x && known.y == v.y && known.z == v.z) return its;
+        }
+    }
+
+  private:
+    static constexpr std::uint32_t kNone = ~0u;
+    // Zeros of both signs are one place. Steele, Lea and Flood's mixer, coordinate by coordinate.
+    static std::uint64_t hash(Vec v)
+    {
+        std::uint64_t z = 0;
+        for (int k = 0; k < 3; ++k) {
+            z += std::bit_cast<std::uint64_t>(v[k] + 0.0) + 0x9e3779b97f4a7c15ull;
+            z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+            z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+            z ^= z >> 31;
+        }
+        return z;
+    }
+    std::vector<std::uint32_t> slots_;
+};
+
 // Three corners to a triangle. Those at the same place become one vertex, numbered as they first come; triangles with two
-// such corners are left out. Sorted, equal ones stand side by side, the first of them in front.
+// such corners are left out.
 void add_welded(const std::vector<Vec>& corners, Mesh& mesh)
 {
-    std::vector<std::uint32_t> order(corners.size()), number(corners.size());
-    std::iota(order.begin(), order.end(), 0);
-    const auto key = [&](std::uint32_t i) { return std::tuple(corners[i].x, corners[i].y, corners[i].z, i); };
-    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t k) { return key(i) < key(k); });
-    for (size_t i = 0; i < order.size(); ++i) {
-        const bool is_new = i == 0 || length(corners[order[i]] - corners[order[i - 1]]) > 0;
-        number[order[i]] =
-            is_new ? order[i] : number[order[i - 1]];  // for now, the first corner at its place
-    }
-    for (std::uint32_t i = 0; i < corners.size(); ++i) {
-        const bool is_new = number[i] == i;
-        if (is_new) mesh.vertices.push_back(corners[i]);
-        number[i] = is_new ? std::uint32_t(mesh.vertices.size()) - 1 : number[number[i]];
-    }
+    Places places(corners.size());
     for (size_t i = 0; i + 3 <= corners.size(); i += 3) {
-        const std::array<std::uint32_t, 3> t{number[i], number[i + 1], number[i + 2]};
+        std::array<std::uint32_t, 3> t;
+        for (size_t k = 0; k < 3; ++k) t[k] = places.number_of(corners[i + k], mesh.vertices);
         if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) mesh.triangles.push_back(t);
     }
 }
