@@ -11,10 +11,13 @@
 // solved again. Where that ends without the goal, other starts, the same ones each time, are tried.
 // A posture q0 is followed where goals leave a choice:  min |J W y|^2 / epsilon^2 + |y - W^-1 (q0 - q)|^2 is the nearest
 // motion in the null space; the goals' own steps repair what its length spoils, and it is shortened where they cannot.
+// Couplings and loops c(q) = 0 (constraints.h) are residuals -kHold c among the goals'. Where a goal cannot be reached, the
+// compromise would leave c at some (1 / kHold)^2 of its distance, so the answer is then moved to c = 0 by the least motion.
 #include "robots/inverse.h"
 
 #include <algorithm>
 
+#include "robots/constraints.h"
 #include "robots/kinematics.h"
 
 namespace epode::robots {
@@ -26,6 +29,8 @@ using Column = std::vector<double>;
 constexpr double kTurn = 6.283185307179586476925;
 constexpr double kNullSpace = 1e-6;  // epsilon
 constexpr int kMaxPostureSteps = 100;
+constexpr double kHold = 100;  // weight of an error of a coupling or loop, of 1 m or rad
+constexpr int kMaxHoldSteps = 50;
 
 double product(const Column& a, const Column& b)
 {
@@ -96,6 +101,7 @@ class Solver {
             append(out.r, goal.position_weight, goal.pose.p - here.p);
             append(out.r, goal.orientation_weight, 2 * chord_of(goal, here));
         }
+        for (double error : constraint_errors(model_, out.q)) out.r.push_back(-kHold * error);
         out.size = std::sqrt(product(out.r, out.r));
         return out;
     }
@@ -115,6 +121,22 @@ class Solver {
             if (mu > 1e12) break;
         }
         return state;
+    }
+
+    // To where couplings and loops hold, whatever it does to the goals.
+    State held(State state) const
+    {
+        Column c = constraint_errors(model_, state.q);
+        for (int i = 0; i < kMaxHoldSteps && std::sqrt(product(c, c)) > 1e-14; ++i) {
+            std::vector<Column> columns(n_);
+            append_constraints(columns, state.q, 1);
+            for (double& error : c) error = -error;
+            const Column y = step_within_limits(columns, state.q, c, 1e-9, Column(n_, 0));
+            const Column trial = moved(state.q, y, 1), after = constraint_errors(model_, trial);
+            if (product(after, after) >= product(c, c)) break;
+            state.q = trial, c = after;
+        }
+        return state_at(std::move(state.q));
     }
 
     // In the null space towards the posture, as long as the goals are met as well as before.
@@ -221,7 +243,14 @@ class Solver {
                        weights_[k] * (e.w * w + cross(Vec{e.x, e.y, e.z}, w)));
             }
         }
+        append_constraints(out, q, kHold);
         return out;
+    }
+
+    void append_constraints(std::vector<Column>& out, const Column& q, double factor) const
+    {
+        const Column rows = constraint_jacobian(model_, q);
+        for (size_t i = 0; i < rows.size(); ++i) out[i % n_].push_back(factor * weights_[i % n_] * rows[i]);
     }
 
     // How far each y may go: between its limits, or at all.
@@ -307,7 +336,9 @@ InverseAnswer solve_inverse(const RobotModel& model, const std::vector<double>& 
         Solver::State other = solver.descend(solver.state_at(solver.other_start(first, answer.starts)));
         if (other.size < best.size * (1 - 1e-9)) best = std::move(other);
     }
-    solver.judge(solver.approach_posture(std::move(best)), answer);
+    best = solver.approach_posture(std::move(best));
+    if (best.size > settings.tolerance) best = solver.held(std::move(best));
+    solver.judge(best, answer);
     return answer;
 }
 

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Inverse kinematics: positions of a model's joints, within their limits, that bring frames of links to given poses.
-// Couplings and loops do not count.
+// Couplings and loops hold, also where a goal cannot be reached.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Jacobians, mass matrix and inverse dynamics of a model's tree, without a world. Couplings and loops do not count.
+// Jacobians, mass matrix and inverse dynamics of a model's tree, without a world. Couplings and loops do not count
+// here; constraints.h has what they ask of velocities.
 // Velocities: one of a hinge or slider; three of a ball, its angular velocity in the link's axes; six of a free joint,
 // the velocity of the link's origin in the world's axes, then the angular velocity in the link's.
 #pragma once
