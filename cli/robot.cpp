@@ -33,6 +33,13 @@ void add_robot_options(CLI::App& command, RobotOptions& options, view::ViewOptio
     convert->add_option("to", options.to, "file to write")->required();
     check->add_flag("--strict", options.strict, "what is approximated or ignored is an error");
     check->add_flag("--json", options.json, "as one JSON object");
+    check
+        ->add_option(
+            "--decompose", options.tolerance,
+            "meshes as several hulls each, none reaching farther out of its mesh than so many m (0: 2.5 % of "
+            "its longest side)")
+        ->check(CLI::NonNegativeNumber)
+        ->each([&options](const std::string&) { options.decomposes = true; });
     CLI::App* view = command.add_subcommand("view", "a window with a slider for every axis, without gravity");
     add_view_options(*view, viewing);
     view->callback([&options] { options.is_viewed = true; });
@@ -81,6 +88,18 @@ void print_table(const RobotModel& model)
         model.sensors.size(), model.starts.size(), model.excluded.size());
 }
 
+// Hulls of every mesh that touches, after decomposition.
+void print_parts(const RobotModel& model)
+{
+    const robots::Prepared prepared(model);
+    say("\n{:<40} {:>9} {:>6} {:>11} {:>11}\n", "mesh", "triangles", "hulls", "surplus, m", "allowed, m");
+    for (const robots::Prepared::Fit& fit : prepared.fits()) {
+        const robots::Mesh& mesh = model.meshes[size_t(fit.mesh)];
+        say("{:<40} {:>9} {:>6} {:>11.3g} {:>11.3g}{}\n", mesh.path.substr(mesh.path.rfind('/') + 1),
+            mesh.triangles.size(), fit.parts, fit.surplus, fit.tolerance, fit.is_closed ? "" : " not closed");
+    }
+}
+
 void print_json(const RobotModel& model, const std::vector<std::string>& not_built)
 {
     std::string lines, missing;
@@ -116,12 +135,14 @@ int check_robot(const RobotOptions& options)
 {
     robots::LoadOptions load;
     load.roots = options.roots, load.strict = options.strict;
+    load.meshes_as_parts = options.decomposes, load.parts.tolerance = options.tolerance;
     const RobotModel model = robots::load_robot(options.file, load);
     const std::vector<std::string> not_built = robots::Robot::not_built(model);
     if (options.json) {
         print_json(model, not_built);
     } else {
         if (!model.has_errors()) print_table(model);
+        if (!model.has_errors() && options.decomposes) print_parts(model);
         if (!model.report.empty()) say("\n");
         for (const robots::ReportLine& line : model.report)
             say("{}:{}: {}: {}\n", line.file, line.line, robots::name_of(line.note), line.text);

@@ -19,7 +19,9 @@ struct RobotOptions {
     std::vector<std::string> roots;
     bool strict = false;
     bool json = false;
-    bool is_viewed = false;  // `epode robot view`
+    bool decomposes = false;  // meshes into several hulls each
+    double tolerance = 0;     // of them, m
+    bool is_viewed = false;   // `epode robot view`
 };
 
 void add_robot_options(CLI::App& command, RobotOptions& options, view::ViewOptions& viewing);

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "robots/api.h"
+#include "robots/constraints.h"
 #include "robots/kinematics.h"
 #include "robots/load.h"
 #include "robots/write/write.h"
@@ -35,13 +36,19 @@ epode::robots::LoadOptions options_of(const dRobotOptions* options)
     out.strict = options->strict, out.keep_fixed = options->keep_fixed, out.fixed_base = options->fixed_base;
     out.repair = options->repair, out.inertia_from_shapes = options->inertia_from_shapes;
     out.meshes_as_triangles = options->meshes_as_triangles, out.missing_mass = double(options->missing_mass);
+    out.meshes_as_parts = options->meshes_as_parts, out.parts.tolerance = double(options->part_tolerance);
+    if (options->max_parts > 0) out.parts.max_parts = options->max_parts;
+    if (options->max_part_vertices > 0) out.parts.max_vertices = unsigned(options->max_part_vertices);
     return out;
 }
 
 bool are_good(const dRobotOptions* options)
 {
-    return !options || (options->struct_size == sizeof(dRobotOptions) && is_usable(options->missing_mass) &&
-                        options->missing_mass >= 0);
+    if (!options) return true;
+    const auto is_size = [](dReal value) { return is_usable(value) && value >= 0; };
+    return options->struct_size == sizeof(dRobotOptions) && is_size(options->missing_mass) &&
+           is_size(options->part_tolerance) && options->max_parts >= 0 && options->max_parts <= 256 &&
+           (options->max_part_vertices == 0 || options->max_part_vertices >= 4);
 }
 
 dRobotModelID keep(RobotModel model)
@@ -102,14 +109,16 @@ int dRobotOptionsInit(dRobotOptions* options, unsigned struct_size)
 
 dRobotModelID dRobotModelLoad(const char* path, const dRobotOptions* options)
 {
-    CHECK(path && are_good(options), "a path, and NULL or options with their size and a mass of 0 or more");
+    CHECK(path && are_good(options),
+          "a path, and NULL or options with their size and numbers in their ranges");
     return guarded(__func__, [&] { return keep(epode::robots::load_robot(path, options_of(options))); });
 }
 
 dRobotModelID dRobotModelLoadText(const char* path, const char* text, dsizeint size,
                                   const dRobotOptions* options)
 {
-    CHECK(path && text && are_good(options), "a path, a text, and NULL or options with their size");
+    CHECK(path && text && are_good(options),
+          "a path, a text, and NULL or options with their size and numbers in their ranges");
     return guarded(__func__, [&] {
         return keep(epode::robots::load_robot_text(path, std::string(text, size), options_of(options)));
     });
@@ -270,6 +279,22 @@ int dRobotModelGetJacobian(dRobotModelID model, const dReal* positions, int link
         for (int i = 0; point && i < 3; ++i) place[i] = double(point[i]);
         const auto q = doubles_of(positions, model->model.coordinates);
         return copy_positions(epode::robots::jacobian(model->model, q, link, place), jacobian, capacity);
+    });
+}
+
+int dRobotModelGetConstraints(dRobotModelID model, const dReal* positions, dReal* residuals, dReal* jacobian,
+                              int capacity)
+{
+    CHECK(can_compute(model, positions) && capacity >= 0, kPositions);
+    return guarded(__func__, [&] {
+        const auto q = doubles_of(positions, model->model.coordinates);
+        const auto c = epode::robots::constraint_errors(model->model, q);
+        const int columns = epode::robots::number_of_velocities(model->model);
+        const int rows = std::min(capacity, int(c.size()));
+        if (residuals) copy_positions(c, residuals, rows);
+        if (jacobian)
+            copy_positions(epode::robots::constraint_jacobian(model->model, q), jacobian, rows * columns);
+        return int(c.size());
     });
 }
 

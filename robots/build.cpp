@@ -29,6 +29,17 @@ void set_mass(dBodyID body, double mass, const Matrix& i)
     dBodySetMass(body, &its);
 }
 
+void set_touch(dGeomID geom, const Shape& shape, bool largest_friction)
+{
+    dGeomSetCategoryBits(geom, shape.category);
+    dGeomSetCollideBits(geom, shape.collide);
+    dMaterial material;
+    dMaterialInit(&material, sizeof material);
+    material.friction = dReal(shape.friction), material.rolling_friction = dReal(shape.rolling_friction);
+    if (largest_friction) material.friction_rule = dCombineMaximum;
+    dGeomSetMaterial(geom, &material);
+}
+
 Pose at_centre(const Pose& link, Vec centre) { return link * Pose{centre, {}}; }
 
 // Mass that hangs on a link, itself included.
@@ -100,6 +111,7 @@ void Robot::make_bodies(dWorldID world)
                          moment = mass * kSmallRadius * kSmallRadius;
             set_mass(body, mass, {{{moment, 0, 0}, {0, moment, 0}, {0, 0, moment}}});
         }
+        if (link.is_weightless) dBodySetGravityMode(body, 0);
         place(body, reference_[i], link.centre);
     }
 }
@@ -242,13 +254,9 @@ dGeomID Robot::make_geom(dSpaceID space, const Shape& shape)
         case ShapeKind::kEllipsoid:
             return dCreateEllipsoid(space, x, y, z);
         case ShapeKind::kPlane:
-            return nullptr;  // placed where its link stands: make_shapes
-        case ShapeKind::kHull: {
-            const Hull& hull = *prepared_->hull(shape.mesh);
-            if (hull.polygons.empty()) return nullptr;
-            return dCreateConvex(space, hull.planes.data(), unsigned(hull.planes.size() / 4),
-                                 hull.points.data(), unsigned(hull.points.size() / 3), hull.polygons.data());
-        }
+            return nullptr;  // placed where its link stands: make_shape
+        case ShapeKind::kHull:
+            return nullptr;  // one or several: make_shape
         case ShapeKind::kTriangles:
             if (!prepared_->triangles(shape.mesh)) return nullptr;
             return dCreateTriMesh(space, prepared_->triangles(shape.mesh), nullptr, nullptr, nullptr);
@@ -256,39 +264,41 @@ dGeomID Robot::make_geom(dSpaceID space, const Shape& shape)
     return nullptr;
 }
 
-void Robot::make_shape(dSpaceID space, int number, const Shape& shape)
+void Robot::make_shape(dSpaceID space, int link, const Shape& shape)
 {
+    if (shape.kind == ShapeKind::kPlane && !body(link)) {
+        const Pose at = reference_[size_t(link)] * shape.pose;
+        const Vec n = rotate(at.q, {0, 0, 1});
+        add_geom(dCreatePlane(space, dReal(n.x), dReal(n.y), dReal(n.z), dReal(dot(n, at.p))), link, shape);
+    } else if (shape.kind == ShapeKind::kHull) {
+        for (const Hull& hull : prepared_->hulls(shape.mesh))
+            add_geom(
+                dCreateConvex(space, hull.planes.data(), unsigned(hull.planes.size() / 4), hull.points.data(),
+                              unsigned(hull.points.size() / 3), hull.polygons.data()),
+                link, shape);
+    } else {
+        add_geom(make_geom(space, shape), link, shape);
+    }
+}
+
+void Robot::add_geom(dGeomID geom, int number, const Shape& shape)
+{
+    if (!geom) return;
     const Link& link = model().links[size_t(number)];
     const dBodyID its = body(number);
-    const Pose at = reference_[size_t(number)] * shape.pose;
-    const bool is_plane = shape.kind == ShapeKind::kPlane;
-    dGeomID geom = nullptr;
-    if (is_plane && !its) {
-        const Vec n = rotate(at.q, {0, 0, 1});
-        geom = dCreatePlane(space, dReal(n.x), dReal(n.y), dReal(n.z), dReal(dot(n, at.p)));
-    } else {
-        geom = make_geom(space, shape);
-    }
-    if (!geom) return;
     geoms_.push_back(geom);
     colors_.push_back({shape.color[0], shape.color[1], shape.color[2]});
-    const Pose offset = its ? Pose{-link.centre, {}} * shape.pose : at;
+    const Pose offset = its ? Pose{-link.centre, {}} * shape.pose : reference_[size_t(number)] * shape.pose;
     const dQuaternion q = {dReal(offset.q.w), dReal(offset.q.x), dReal(offset.q.y), dReal(offset.q.z)};
     if (its) {
         dGeomSetBody(geom, its);
         dGeomSetOffsetPosition(geom, dReal(offset.p.x), dReal(offset.p.y), dReal(offset.p.z));
         dGeomSetOffsetQuaternion(geom, q);
-    } else if (!is_plane) {
+    } else if (shape.kind != ShapeKind::kPlane) {
         dGeomSetPosition(geom, dReal(offset.p.x), dReal(offset.p.y), dReal(offset.p.z));
         dGeomSetQuaternion(geom, q);
     }
-    dGeomSetCategoryBits(geom, shape.category);
-    dGeomSetCollideBits(geom, shape.collide);
-    dMaterial material;
-    dMaterialInit(&material, sizeof material);
-    material.friction = dReal(shape.friction), material.rolling_friction = dReal(shape.rolling_friction);
-    if (model().largest_friction) material.friction_rule = dCombineMaximum;
-    dGeomSetMaterial(geom, &material);
+    set_touch(geom, shape, model().largest_friction);
 }
 
 void Robot::add_looks(dSpaceID space)

@@ -13,14 +13,9 @@
 
 #include "robots/kinematics.h"
 #include "robots/model.h"
+#include "robots/parts/decompose.h"
 
 namespace epode::robots {
-
-// A hull's arrays as dCreateConvex wants them.
-struct Hull {
-    std::vector<dReal> planes, points;
-    std::vector<unsigned> polygons;
-};
 
 // A model made ready for worlds. Robots share it, and it lives as long as they do.
 class Prepared {
@@ -31,17 +26,27 @@ class Prepared {
     Prepared& operator=(const Prepared&) = delete;
 
     const RobotModel& model() const { return model_; }
-    const Hull* hull(int mesh) const { return &hulls_[size_t(mesh)]; }
+    // Of a mesh: one, or several where the model decomposes meshes; none of a plate or a line.
+    const std::vector<Hull>& hulls(int mesh) const { return hulls_[size_t(mesh)]; }
+    struct Fit {
+        int mesh, parts;
+        double surplus;  // m
+        double tolerance;
+        bool is_closed;
+    };
+    // Of every mesh that was decomposed.
+    const std::vector<Fit>& fits() const { return fits_; }
     dTriMeshDataID triangles(int mesh) const { return triangles_[size_t(mesh)]; }
     const std::vector<std::array<int, 2>>& overlapping() const { return overlapping_; }
 
   private:
-    void make_hull(const Mesh& mesh, Hull& hull);
+    void make_hulls(int mesh);
     void make_triangles(size_t number);
     void find_overlapping();
 
     RobotModel model_;
-    std::vector<Hull> hulls_;
+    std::vector<std::vector<Hull>> hulls_;
+    std::vector<Fit> fits_;
     std::vector<dTriMeshDataID> triangles_;
     std::vector<std::vector<dReal>> corners_;
     std::vector<std::vector<dTriIndex>> indices_;
@@ -101,6 +106,7 @@ class Robot {
     void make_bodies(dWorldID world);
     void make_shape(dSpaceID space, int link, const Shape& shape);
     dGeomID make_geom(dSpaceID space, const Shape& shape);
+    void add_geom(dGeomID geom, int link, const Shape& shape);
     void make_joints(dWorldID world);
     dJointID make_joint(dWorldID world, const Joint& joint, dBodyID child, dBodyID parent, const Pose& frame);
     dBodyID make_small_body(dWorldID world, int link);

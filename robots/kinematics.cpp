@@ -192,7 +192,8 @@ std::vector<double> inverse_dynamics(const RobotModel& model, const std::vector<
         }
         velocity[i] = v, acceleration[i] = a;
         const Vec c = all.poses[i] * link.centre;
-        const Vec of_centre = a.v + cross(a.w, c) + cross(v.w, v.v + cross(v.w, c)) - gravity;
+        const Vec of_centre =
+            a.v + cross(a.w, c) + cross(v.w, v.v + cross(v.w, c)) - (link.is_weightless ? Vec{} : gravity);
         const Matrix tensor = rotated(link.inertia, all.poses[i].q);
         const Vec force = link.mass * of_centre;
         wrench[i] = {apply(tensor, a.w) + cross(v.w, apply(tensor, v.w)) + cross(c, force), force};

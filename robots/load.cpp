@@ -142,6 +142,7 @@ RobotModel load_robot_text(const std::string& path, const std::string& text, con
 {
     RobotModel model;
     model.path = path;
+    model.decomposes_meshes = options.meshes_as_parts, model.parts = options.parts;
     Files files(path, options.roots);
     Reading reading(model, options, files);
     std::string problem;

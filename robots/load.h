@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "robots/model.h"
+#include "robots/parts/settings.h"
 
 namespace epode::robots {
 
@@ -20,7 +21,9 @@ struct LoadOptions {
     bool repair = false;               // inertias that no body has are mended
     bool inertia_from_shapes = false;  // URDF: of moving links without an inertial, at 1000 kg/m^3
     double missing_mass = 0;           // kg; else their mass, as a ball of 5 cm radius; 0: an error
-    bool meshes_as_triangles = false;  // else the convex hull of each
+    bool meshes_as_triangles = false;  // else the convex hull of each, or several
+    bool meshes_as_parts = false;      // several hulls of each mesh that is not convex
+    PartSettings parts;
 };
 
 RobotModel load_robot(const std::string& path, const LoadOptions& options = {});

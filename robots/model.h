@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "robots/geometry.h"
+#include "robots/parts/settings.h"
 
 namespace epode::robots {
 
@@ -51,6 +52,7 @@ struct Link {
     Vec centre;               // of mass
     Matrix inertia{};         // about the centre, in the link's axes
     bool has_inertial = false;
+    bool is_weightless = false;  // gravity does not pull it
     std::vector<Shape> shapes;   // what touches
     std::vector<Shape> visuals;  // what is only looked at
     int line = 0;
@@ -163,6 +165,8 @@ struct RobotModel {
     bool touches_itself = true;     // false: what overlaps at the reference position does not touch
     bool largest_friction = false;  // of a pair, as MuJoCo has it; else the geometric mean
     int coordinates = 0;
+    bool decomposes_meshes = false;  // into several hulls each
+    PartSettings parts;
 
     // -1 where there is none of that name. A frame counts with its link.
     int link_named(const std::string& wanted) const;

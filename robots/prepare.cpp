@@ -48,15 +48,22 @@ Prepared::Prepared(RobotModel model)
       corners_(model_.meshes.size()),
       indices_(model_.meshes.size())
 {
-    std::set<int> touched;
+    std::set<int> known;
+    const auto prepare = [&](const Shape& shape, bool touches) {
+        if (shape.mesh < 0 || !known.insert(shape.mesh).second) return;
+        if (shape.kind == ShapeKind::kTriangles)
+            make_triangles(size_t(shape.mesh));
+        else if (touches)
+            make_hulls(shape.mesh);
+        else if (Hull hull = hull_of(model_.meshes[size_t(shape.mesh)].vertices, kMaxHullVertices);
+                 !hull.is_empty())
+            hulls_[size_t(shape.mesh)].push_back(std::move(hull));
+    };
     for (const Link& link : model_.links)
-        for (const Shape& shape : link.shapes.empty() ? link.visuals : link.shapes) {
-            if (shape.mesh < 0 || !touched.insert(shape.mesh).second) continue;
-            if (shape.kind == ShapeKind::kHull)
-                make_hull(model_.meshes[size_t(shape.mesh)], hulls_[size_t(shape.mesh)]);
-            else
-                make_triangles(size_t(shape.mesh));
-        }
+        for (const Shape& shape : link.shapes) prepare(shape, true);
+    for (const Link& link : model_.links)
+        for (const Shape& look : link.visuals)
+            if (link.shapes.empty()) prepare(look, false);
     if (!model_.touches_itself) find_overlapping();
 }
 
@@ -66,21 +73,19 @@ Prepared::~Prepared()
         if (data) dGeomTriMeshDataDestroy(data);
 }
 
-// Plates and lines have no hull: their arrays stay empty.
-void Prepared::make_hull(const Mesh& mesh, Hull& hull)
+// Plates and lines have none.
+void Prepared::make_hulls(int number)
 {
-    const std::vector<dReal> points = reals_of(mesh.vertices);
-    if (mesh.vertices.size() < 4) return;
-    const dGeomID geom =
-        dCreateConvexHull(nullptr, points.data(), unsigned(mesh.vertices.size()), kMaxHullVertices);
-    if (!geom) return;
-    hull.points.resize(3 * size_t(dGeomConvexGetPoints(geom, nullptr, 0)));
-    hull.planes.resize(4 * size_t(dGeomConvexGetPlanes(geom, nullptr, 0)));
-    hull.polygons.resize(size_t(dGeomConvexGetPolygons(geom, nullptr, 0)));
-    dGeomConvexGetPoints(geom, hull.points.data(), int(hull.points.size() / 3));
-    dGeomConvexGetPlanes(geom, hull.planes.data(), int(hull.planes.size() / 4));
-    dGeomConvexGetPolygons(geom, hull.polygons.data(), int(hull.polygons.size()));
-    dGeomDestroy(geom);
+    const Mesh& mesh = model_.meshes[size_t(number)];
+    std::vector<Hull>& hulls = hulls_[size_t(number)];
+    Decomposition parts;
+    std::string problem;
+    if (model_.decomposes_meshes && decompose(mesh, model_.parts, parts, problem)) {
+        fits_.push_back({number, int(parts.hulls.size()), parts.surplus, parts.tolerance, parts.is_closed});
+        hulls = std::move(parts.hulls);
+    } else if (Hull hull = hull_of(mesh.vertices, kMaxHullVertices); !hull.is_empty()) {
+        hulls.push_back(std::move(hull));
+    }
 }
 
 void Prepared::make_triangles(size_t number)

@@ -20,6 +20,7 @@ void merge(const Link& from, const Pose& pose, Link& into)
     for (Shape shape : from.shapes) shape.pose = pose * shape.pose, into.shapes.push_back(shape);
     for (Shape visual : from.visuals) visual.pose = pose * visual.pose, into.visuals.push_back(visual);
     if (into.parent < 0) return;
+    if (from.mass > into.mass) into.is_weightless = from.is_weightless;
     const Inertia sum =
         sum_of({into.mass, into.centre, into.inertia}, moved({from.mass, from.centre, from.inertia}, pose));
     into.mass = sum.mass, into.centre = sum.centre, into.inertia = sum.tensor;
@@ -38,6 +39,11 @@ void merge_fixed_links(RobotModel& model)
         const Pose pose = parent.pose * link.pose;
         if (i > 0 && link.joints.empty()) {
             place[i] = {parent.link, pose};
+            const Link& into = kept[size_t(parent.link)];
+            if (into.mass > 0 && link.mass > 0 && into.is_weightless != link.is_weightless)
+                model.report.push_back(
+                    {Note::kApproximated, model.path, link.line,
+                     "'" + link.name + "' merges with a link of other gravity: the heavier's counts"});
             merge(link, pose, kept[size_t(parent.link)]);
             model.frames.push_back({link.name, int(i), {}});
             continue;

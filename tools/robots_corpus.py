@@ -14,12 +14,14 @@ import sys
 import numpy as np
 
 import robots_motion
+import robots_rest
 import robots_times
 from robots_library import Model, load_library, silence
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 POSES = 20
 TOLERANCE = 1e-6
+HARMLESS = r"sensors of kind|asset <skin>|an equality that is not active|asset <(texture|material)>"
 MARK = "<!-- corpus: written by scripts/robots-corpus --write -->"
 
 
@@ -99,7 +101,7 @@ def judge_mjcf(library, path, root, random):
             mujoco.mj_mulM(model, data, full[i], unit)
         mujoco.mj_jacBody(model, data, linear, angular, model.nbody - 1)
         found.numbers("mass matrix", mine.numbers("MassMatrix", data.qpos), full.ravel())
-        found.numbers("bias forces", mine.numbers("InverseDynamics", data.qpos, np.array(data.qvel), None), data.qfrc_bias)
+        found.numbers("bias forces", mine.numbers("InverseDynamics", data.qpos, np.array(data.qvel), None), data.qfrc_bias - data.qfrc_gravcomp)
         found.numbers("Jacobian", mine.numbers("Jacobian", data.qpos, model.nbody - 1, None), np.vstack([linear, angular]).ravel())
         poses = mine.poses(data.qpos)
         for i, link in enumerate(links):
@@ -206,6 +208,7 @@ class Table:
 
     def __init__(self):
         self.counts, self.reasons, self.notes, self.differing = {}, collections.defaultdict(list), collections.Counter(), []
+        self.still = []  # complete MJCF files without an entry "ignored" that changes motion, and those with one
 
     def judge(self, library, package, root, path, kind):
         row = self.counts.setdefault((package, kind), collections.Counter())
@@ -233,6 +236,9 @@ class Table:
             loses = {kind_of(text) for note, _, text in mine.report if note in ("approximated", "ignored")}
             row["approximated" if loses else "loaded"] += 1
             self.notes.update(loses)
+        if path.suffix == ".xml":
+            self.still.append(not mine.errors and not any(
+                note == "ignored" and not re.match(HARMLESS, text) for note, _, text in mine.report))
         mine.close()
 
     def lines(self):
@@ -245,6 +251,9 @@ class Table:
             yield f"| {package} | {kind} | {row['files']} | {row['loaded']} | {row['approximated']} | {row['refused']} | {agrees} | {row['no judge']} |"
         yield (f"| all | | {total['files']} | {total['loaded']} | {total['approximated']} | {total['refused']} | {total['agrees']} | "
                f"{total['no judge']} |")
+        if self.still:
+            yield from ["", f"Of {len(self.still)} complete MJCF files {sum(self.still)} ({100 * sum(self.still) / len(self.still):.1f} %) load "
+                        "without an entry *ignored* that changes motion (all but looks, sensors and equalities that are off)."]
         yield from ["", "Refused, by reason:", ""]
         reasons = sorted(self.reasons.items(), key=lambda x: -len(x[1]))
         yield from [f"- {reason}: {len(names)} ({', '.join(sorted(set(names))[:4])}{' ...' if len(set(names)) > 4 else ''})"
@@ -267,7 +276,10 @@ def main():
     parser.add_argument("--only", default="")
     parser.add_argument("--motion", action="store_true", help="one second of gymnasium's robots compared with MuJoCo's")
     parser.add_argument("--times", action="store_true", help="time to load the largest files, alongside MuJoCo and Pinocchio")
+    parser.add_argument("--rest", action="store_true", help="where gymnasium's robots come to rest, alongside MuJoCo's")
     arguments = parser.parse_args()
+    if arguments.rest:
+        return robots_rest.table(arguments.library)
     if arguments.motion:
         return robots_motion.table(arguments.library)
     if arguments.times:

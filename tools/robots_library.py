@@ -12,7 +12,8 @@ NOTES = ("changed", "approximated", "ignored", "error")
 class Options(ctypes.Structure):
     _fields_ = [("struct_size", ctypes.c_uint)] + [(name, ctypes.c_int) for name in (
         "strict", "keep_fixed", "fixed_base", "repair", "inertia_from_shapes", "meshes_as_triangles")] + [
-            ("missing_mass", ctypes.c_double), ("roots", ctypes.c_char_p)]
+            ("missing_mass", ctypes.c_double), ("roots", ctypes.c_char_p), ("meshes_as_parts", ctypes.c_int), ("max_parts", ctypes.c_int),
+            ("max_part_vertices", ctypes.c_int), ("part_tolerance", ctypes.c_double)]
 
 
 class Line(ctypes.Structure):

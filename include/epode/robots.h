@@ -43,6 +43,10 @@ typedef struct dRobotOptions {
     int meshes_as_triangles; /**< 1: meshes collide as triangles, 0: as their convex hulls */
     dReal missing_mass; /**< mass of other moving links without an inertial, kg; 0: such a link is an error */
     const char* roots;  /**< more folders that may be read, a colon between two; NULL: none */
+    int meshes_as_parts;   /**< 1: meshes that are not convex collide as several hulls each */
+    int max_parts;         /**< of a mesh, up to 256; 0: 32 */
+    int max_part_vertices; /**< of such a hull, 4 or more; 0: 64 */
+    dReal part_tolerance;  /**< how far a hull may reach out of its mesh, m; 0: 2.5 % of its longest side */
 } dRobotOptions;
 
 /** Fills *options with zeros, and writes struct_size, which is sizeof(dRobotOptions), to it. Returns 1.
@@ -155,10 +159,10 @@ ODE_API int dRobotModelGetPoses(dRobotModelID model, const dReal* positions, int
 
 /** @chapter robot_dynamics Kinematics and dynamics of a model
 
-    What a controller computes of a model, without a world. Couplings and loops do not count. Velocities are
-    one of a hinge (rad/s) or slider (m/s), three of a ball, its angular velocity in the link's axes, and six
-    of a free joint: the velocity of the link's origin in the world's axes, then the angular velocity in the
-    link's.
+    What a controller computes of a model, without a world. Couplings and loops do not count, but in inverse
+    kinematics; dRobotModelGetConstraints has what they ask of velocities. Velocities are one of a hinge
+    (rad/s) or slider (m/s), three of a ball, its angular velocity in the link's axes, and six of a free
+    joint: the velocity of the link's origin in the world's axes, then the angular velocity in the link's.
 
     Arguments:
     - model: a model.
@@ -178,6 +182,15 @@ ODE_API int dRobotModelGetNumVelocities(dRobotModelID model);
     are written. Returns how many there are. Refused: no such link. [ours] */
 ODE_API int dRobotModelGetJacobian(dRobotModelID model, const dReal* positions, int link, const dReal* point,
                                    dReal* jacobian, int capacity);
+
+/** Writes how far couplings and loops are from what they ask, c(positions), to residuals, and C = dc/ds, s being
+    the velocities, to jacobian, row by row. A coupling has one row (the sum of its factors times coordinates
+    less its offset); a loop three (m, in the world's axes), and three more (rad) if it is welded. Motions that
+    keep them have C s = 0: of a frame with the Jacobian J only J N counts, the columns of N being a basis of
+    those s. At most capacity rows are written; either array may be NULL. Returns how many rows there are.
+    [ours] */
+ODE_API int dRobotModelGetConstraints(dRobotModelID model, const dReal* positions, dReal* residuals,
+                                      dReal* jacobian, int capacity);
 
 /** Writes the mass matrix to matrix, row by row, rotor inertias on its diagonal. At most capacity reals are
     written. Returns how many there are: the square of the number of velocities. [ours] */
@@ -236,8 +249,8 @@ ODE_API int dRobotTargetInit(dRobotTarget* target, int link);
 ODE_API int dRobotInverseOptionsInit(dRobotInverseOptions* options, unsigned struct_size);
 
 /** Replaces positions by those, within the limits of the joints, at which count targets are reached, or by the
-    nearest that it found. Damped least squares; the same arguments give the same bits. options may be NULL:
-    the defaults; result may be NULL. Returns 1 if the targets are reached, 2 if not, and 0 when refused:
+    nearest that it found. Couplings and loops hold, also where targets cannot be reached. Damped least
+    squares; the same arguments give the same bits. options may be NULL: the defaults; result may be NULL. Returns 1 if the targets are reached, 2 if not, and 0 when refused:
     targets without a link, weights that are negative, structures of another size. [ours] */
 ODE_API int dRobotModelGetInverse(dRobotModelID model, const dRobotTarget* targets, int count,
                                   const dRobotInverseOptions* options, dReal* positions,

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
-"""What Python knows of a world beside the library: to take steps back, and for copies."""
+"""What Python knows of a world in addition to the library: to take steps back, and for copies."""
 from __future__ import annotations
 
 import typing
@@ -45,7 +45,7 @@ class Structure:
 
 
 class Description:
-    """What Python knows of a world beside the library: types of joints, shapes, and who belongs to whom, by number."""
+    """What Python knows of a world in addition to the library: types of joints, shapes, and who belongs to whom, by number."""
 
     def __init__(self, world: World) -> None:
         number = {body: i for i, body in enumerate(world._bodies.values())}

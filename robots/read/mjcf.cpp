@@ -122,7 +122,8 @@ void Mjcf::read_option(const Element& element)
     for (const Element& flag : element.children("flag")) {
         if (flag.text("gravity") == "disable") model_.gravity = {};
         if (flag.text("contact") == "disable")
-            reading_.note(Note::kIgnored, flag, "contacts are switched off");
+            touches_ = false,
+            reading_.note(Note::kChanged, flag, "contacts are switched off: geoms are looks");
     }
 }
 
@@ -195,8 +196,8 @@ void Mjcf::read()
     number_coordinates(model_);
     if (model_.has_errors()) return;
     read_sections(sections, "contact", &Mjcf::read_contacts);
-    read_sections(sections, "equality", &Mjcf::read_equalities);
     read_sections(sections, "tendon", &Mjcf::read_tendons);
+    read_sections(sections, "equality", &Mjcf::read_equalities);
     read_sections(sections, "actuator", &Mjcf::read_actuators);
     read_sections(sections, "sensor", &Mjcf::read_sensors);
     read_sections(sections, "keyframe", &Mjcf::read_keys);

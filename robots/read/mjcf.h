@@ -70,6 +70,7 @@ class Mjcf {
     void finish_link(Link& link, const Inertia& of_geoms, const Inertia* inertial);
     Pose pose_of(const Attributes& attributes);
     Quat turn_of_euler(Vec angles) const;
+    int inline_mesh(const Asset& asset, bool counts_folds);
     Asset* mesh_named(const std::string& name, const Element& where);
     bool has_no_place(const Element& element);
 
@@ -84,6 +85,8 @@ class Mjcf {
     bool join_sites(const Element& element, Closure& closure);
     bool join_bodies(const Attributes& attributes, Closure& closure);
     void read_joint_equality(const Attributes& attributes);
+    void read_tendon_equality(const Attributes& attributes);
+    bool read_line(const Attributes& attributes, std::array<double, 2>& line, Coupling& coupling);
     void read_tendons(const Element& section);
     void read_contacts(const Element& section);
     void read_keys(const Element& section);
@@ -106,6 +109,7 @@ class Mjcf {
     std::map<std::string, std::unique_ptr<Document>> documents_;
     std::vector<std::string> including_;
     size_t includes_ = 0;
+    bool touches_ = true;  // no contacts: geoms are looks
 };
 
 }  // namespace epode::robots

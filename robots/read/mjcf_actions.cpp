@@ -166,7 +166,22 @@ bool Mjcf::join_bodies(const Attributes& a, Closure& closure)
     return true;
 }
 
-// q1 - r1 = c0 + c1 (q2 - r2) + c2 (q2 - r2)^2 + ..., with the references r.
+// The first two coefficients of an equality's polynomial; those beyond go to the coupling, with a note. False where it is
+// broken.
+bool Mjcf::read_line(const Attributes& a, std::array<double, 2>& line, Coupling& coupling)
+{
+    std::vector<double> c{0, 1};
+    if (a.has("polycoef") && !list(a, "polycoef", 1, 5, c)) return false;
+    if (c.size() == 1) c.push_back(1);
+    c.resize(5, 0);
+    line = {c[0], c[1]};
+    if (c[2] == 0 && c[3] == 0 && c[4] == 0) return true;
+    coupling.polynomial.assign(c.begin() + 2, c.end());
+    reading_.note(Note::kApproximated, a.element(), "an equality of joints that is no straight line");
+    return true;
+}
+
+// q1 - r1 = c0 + c1 (q2 - r2) + c2 (q2 - r2)^2 + ..., with the references r; without a second joint q1 - r1 = c0.
 void Mjcf::read_joint_equality(const Attributes& a)
 {
     const Element& element = a.element();
@@ -176,21 +191,41 @@ void Mjcf::read_joint_equality(const Attributes& a)
     if (!is_axis(follower) || (element.has("joint2") && !is_axis(leader)))
         return reading_.error(element, "an equality of the joints '" + element.text("joint1") + "' and '" +
                                            element.text("joint2") + "'; one is no hinge or slider");
-    std::vector<double> c{0, 1};
-    list(a, "polycoef", 1, 5, c);
-    c.resize(5, 0);
     Coupling coupling;
+    std::array<double, 2> c{};
+    if (!read_line(a, c, coupling)) return;
     coupling.name = element.text("name"), coupling.line = element.line();
     coupling.terms = {{follower, 1}};
     coupling.offset = c[0] + model_.joints[size_t(follower)].reference;
     if (leader >= 0) {
         coupling.terms.push_back({leader, -c[1]});
         coupling.offset -= c[1] * model_.joints[size_t(leader)].reference;
-        if (c[2] != 0 || c[3] != 0 || c[4] != 0) {
-            coupling.polynomial.assign(c.begin() + 2, c.end());
-            reading_.note(Note::kApproximated, element, "an equality of joints that is no straight line");
-        }
+    } else {
+        coupling.polynomial.clear();
     }
+    model_.couplings.push_back(coupling);
+}
+
+// The same of two fixed tendons, whose lengths are sums of coordinates.
+void Mjcf::read_tendon_equality(const Attributes& a)
+{
+    const Element& element = a.element();
+    const int one = index_of(model_.tendons, element.text("tendon1"));
+    const int two = element.has("tendon2") ? index_of(model_.tendons, element.text("tendon2")) : -1;
+    if (one < 0 || (element.has("tendon2") && two < 0))
+        return reading_.note(Note::kIgnored, element, "an equality of tendons that are not read");
+    Coupling coupling;
+    std::array<double, 2> c{};
+    if (!read_line(a, c, coupling)) return;
+    coupling.name = element.text("name"), coupling.line = element.line(), coupling.offset = c[0];
+    const auto add = [&](int tendon, double factor) {
+        for (const Coupling::Term& term : model_.tendons[size_t(tendon)].terms) {
+            coupling.terms.push_back({term.joint, factor * term.factor});
+            coupling.offset += factor * term.factor * model_.joints[size_t(term.joint)].reference;
+        }
+    };
+    add(one, 1);
+    if (two >= 0) add(two, -c[1]);
     model_.couplings.push_back(coupling);
 }
 
@@ -205,6 +240,8 @@ void Mjcf::read_equalities(const Element& section)
             read_closure(a, kind == "weld");
         else if (kind == "joint")
             read_joint_equality(a);
+        else if (kind == "tendon")
+            read_tendon_equality(a);
         else
             reading_.note(Note::kIgnored, element, "an equality of kind <" + kind + ">");
     }

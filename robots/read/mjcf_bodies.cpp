@@ -5,6 +5,8 @@
 // their order in the file, since coordinates are counted in that order. <frame> moves what is in it.
 #include <algorithm>
 
+#include "robots/meshes/meshes.h"
+#include "robots/parts/hull.h"
 #include "robots/read/mjcf.h"
 
 namespace epode::robots {
@@ -15,6 +17,17 @@ constexpr double kWater = 1000;  // kg/m^3
 constexpr int kMaxDepth = 400;
 
 bool is_round(ShapeKind kind) { return kind == ShapeKind::kCapsule || kind == ShapeKind::kCylinder; }
+
+// Vertices and triangles of the hull in place of the mesh's. False of a plate.
+bool take_hull(Mesh& mesh)
+{
+    const Hull hull = hull_of(mesh.vertices, 0);
+    mesh.vertices = hull.corners();
+    for (size_t i = 0; i < hull.polygons.size(); i += hull.polygons[i] + 1)
+        for (unsigned k = 2; k < hull.polygons[i]; ++k)
+            mesh.triangles.push_back({hull.polygons[i + 1], hull.polygons[i + k], hull.polygons[i + k + 1]});
+    return !hull.is_empty();
+}
 
 JointKind kind_of(const std::string& type)
 {
@@ -130,8 +143,12 @@ void Mjcf::read_children(const std::vector<Element>& children, const Scope& scop
         model_.links.push_back(link);
         if (child.text("mocap") == "true")
             reading_.note(Note::kApproximated, child, "the mocap body '" + link.name + "' stands still");
-        if (child.has("gravcomp") && child.text("gravcomp") != "0")
-            reading_.note(Note::kIgnored, child, "gravcomp of the body '" + link.name + "'");
+        double share = 0;
+        reading_.number(child, "gravcomp", share);
+        model_.links.back().is_weightless = share == 1;
+        if (share != 0 && share != 1)
+            reading_.note(Note::kIgnored, child,
+                          "gravcomp of the body '" + link.name + "' is neither 0 nor 1");
         read_bodies(child, inner);
     }
 }
@@ -219,6 +236,37 @@ bool Mjcf::read_range(const Attributes& a, Joint& joint)
     return false;
 }
 
+// A mesh whose vertices stand in the file; without faces it is their hull. -1 and an error where it is neither.
+int Mjcf::inline_mesh(const Asset& asset, bool counts_folds)
+{
+    const Element& element = asset.element;
+    const std::string its = "the mesh '" + element.text("name") + "'";
+    const auto refuse = [&](const std::string& problem) {
+        return reading_.error(element, its + problem), -1;
+    };
+    constexpr size_t kMaxNumbers = 18'000'000;
+    std::vector<double> numbers, corners;
+    if (!element.has("vertex")) return refuse(" has no file and no vertices; built-in shapes are not read");
+    if (!reading_.numbers(element, element.text("vertex"), "vertex", 12, kMaxNumbers, numbers)) return -1;
+    reading_.numbers(element, element.text("face"), "face", 3, kMaxNumbers, corners);
+    if (numbers.size() % 3 != 0 || corners.size() % 3 != 0)
+        return refuse(" has vertices or faces of other than three numbers");
+    Mesh mesh;
+    for (size_t i = 0; i < numbers.size(); i += 3)
+        mesh.vertices.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+    for (double corner : corners)
+        if (!(corner >= 0 && corner < double(mesh.vertices.size()) && corner == std::floor(corner)))
+            return refuse(" has a face with a corner that is no vertex");
+    for (size_t i = 0; i < corners.size(); i += 3)
+        mesh.triangles.push_back(
+            {std::uint32_t(corners[i]), std::uint32_t(corners[i + 1]), std::uint32_t(corners[i + 2])});
+    if (corners.empty() && !take_hull(mesh)) return refuse(" has all its vertices in one plane");
+    scale_mesh(mesh, asset.scale);
+    mesh.scale = {1, 1, 1}, mesh.counts_folds = counts_folds;
+    model_.meshes.push_back(std::move(mesh));
+    return int(model_.meshes.size()) - 1;
+}
+
 // Null and an error of a name that no mesh has, and of one that cannot be read.
 Mjcf::Asset* Mjcf::mesh_named(const std::string& name, const Element& where)
 {
@@ -227,13 +275,12 @@ Mjcf::Asset* Mjcf::mesh_named(const std::string& name, const Element& where)
     Asset& asset = it->second;
     if (asset.tried) return asset.mesh < 0 ? nullptr : &asset;
     asset.tried = true;
-    if (asset.element.text("file").empty()) {
-        reading_.error(asset.element,
-                       "the mesh '" + name + "' has no file: vertices and built-in shapes are not read");
-        return nullptr;
-    }
     const std::string inertia = asset.element.text("inertia");
     const bool counts_folds = inertia.empty() || inertia == "legacy";
+    if (asset.element.text("file").empty()) {
+        asset.mesh = inline_mesh(asset, counts_folds);
+        return asset.mesh < 0 ? nullptr : &asset;
+    }
     asset.mesh = reading_.mesh({Note::kError, asset.element.file(), asset.element.line()},
                                {asset.file, folder_of(root_.file()), asset.scale, counts_folds});
     return asset.mesh < 0 ? nullptr : &asset;
@@ -314,7 +361,7 @@ void Mjcf::read_geom(const Attributes& a, const Scope& scope, Inertia& of_geoms)
         if (a.has(soft)) reading_.note_once(Note::kApproximated, a.element(), std::string("geom ") + soft);
     add_mass(a, shape, of_geoms);
     Link& link = model_.links[size_t(scope.link)];
-    (shape.category || shape.collide ? link.shapes : link.visuals).push_back(shape);
+    (touches_ && (shape.category || shape.collide) ? link.shapes : link.visuals).push_back(shape);
 }
 
 void Mjcf::add_mass(const Attributes& a, const Shape& shape, Inertia& of_geoms)

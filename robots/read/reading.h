@@ -65,6 +65,8 @@ class Reading {
 };
 
 void read_urdf(const Element& robot, Reading& reading);
+// What a URDF's <gazebo> elements add to its links and joints.
+void read_gazebo(const Element& robot, Reading& reading);
 void read_mjcf(const Element& mujoco, Reading& reading);
 // libsdformat reads the text again.
 void read_sdf(const Element& sdf, const std::string& text, Reading& reading);

@@ -104,7 +104,7 @@ void Urdf::read()
 {
     model_.name = robot_.text("name");
     model_.touches_itself = false;
-    note_others(robot_, {"link", "joint", "material", "transmission"});
+    note_others(robot_, {"link", "joint", "material", "transmission", "gazebo"});
     if (!collect()) return;
     std::set<std::string> is_child;
     for (const Edge& edge : edges_) {
@@ -125,6 +125,7 @@ void Urdf::read()
                        "links that no joint connects to the root '" + roots[0] + "': a loop of joints");
     read_mimics();
     read_transmissions();
+    read_gazebo(robot_, reading_);
 }
 
 // A link, then all that hangs on it, branch by branch in the order of the file; no recursion, since the depth is the

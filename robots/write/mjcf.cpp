@@ -85,15 +85,28 @@ void MjcfWriter::name_all()
         tendons_.push_back(tendons.unique(model_.tendons[i].name, "tendon", i));
 }
 
+// Of a mesh without a file.
+void write_corners(Node asset, const Mesh& mesh)
+{
+    std::vector<double> vertices, faces;
+    for (Vec v : mesh.vertices) vertices.insert(vertices.end(), {v.x, v.y, v.z});
+    for (const auto& t : mesh.triangles) faces.insert(faces.end(), t.begin(), t.end());
+    set(asset, "vertex", list_text(vertices)), set(asset, "face", list_text(faces));
+}
+
 void MjcfWriter::write_meshes()
 {
     for (size_t i = 0; i < model_.meshes.size(); ++i) {
         const Mesh& mesh = model_.meshes[i];
         Node asset = section("asset").append_child("mesh");
         set(asset, "name", "mesh" + std::to_string(i));
+        set(asset, "inertia", mesh.counts_folds ? "legacy" : "convex");
+        if (mesh.path.empty()) {
+            write_corners(asset, mesh);
+            continue;
+        }
         set(asset, "file", path_from(folder_, mesh.path));
         set(asset, "scale", text_of(mesh.scale));
-        set(asset, "inertia", mesh.counts_folds ? "legacy" : "convex");
         const std::string ending = ending_of(mesh.path);
         if (ending == "dae" || ending == "glb")
             losses_.add("MuJoCo itself reads no ." + ending + " meshes: turn them into .obj and name those");
@@ -202,6 +215,7 @@ void MjcfWriter::write_bodies()
             bodies_[i] = bodies_[size_t(link.parent)].append_child("body");
             set(bodies_[i], "name", links_[i]);
             write_pose(bodies_[i], link.pose);
+            if (link.is_weightless) set(bodies_[i], "gravcomp", 1.0);
             write_inertial(bodies_[i], link);
         }
         for (int joint : link.joints) write_joint(bodies_[i], size_t(joint));

@@ -113,12 +113,18 @@ void UrdfWriter::write_link(size_t number)
     }
     for (const Shape& shape : link.visuals) write_shape(its, shape, "visual", shift);
     for (const Shape& shape : link.shapes) write_shape(its, shape, "collision", shift);
+    if (!link.is_weightless) return;
+    Node gazebo = root_.append_child("gazebo");
+    set(gazebo, "reference", links_[number]);
+    gazebo.append_child("turnGravityOff").text().set("true");
 }
 
 void UrdfWriter::write_shape(Node link, const Shape& shape, const char* element, Vec shift)
 {
     if (shape.kind == ShapeKind::kPlane || shape.kind == ShapeKind::kEllipsoid)
         return losses_.add(std::string("URDF has no ") + name_of(shape.kind));
+    if (shape.mesh >= 0 && model_.meshes[size_t(shape.mesh)].path.empty())
+        return losses_.add("URDF has no meshes without a file");
     Node its = link.append_child(element);
     const bool is_visual = its.name()[0] == 'v';
     if (!shape.name.empty()) set(its, "name", shape.name);

@@ -10,6 +10,8 @@ cd "$(dirname "$0")/../../.."
 seconds=$1
 shift
 build=build/fuzz_robots
+if [ ! -f build/release/build.ninja ]; then cmake --preset release > /dev/null; fi
+cmake --build build/release --target ode > /dev/null
 cmake -S tests/robots/fuzz -B $build -G Ninja -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_CXX_COMPILER_LAUNCHER="$(command -v ccache || true)" > /dev/null
 cmake --build $build -- ${JOBS:+-j$JOBS} > $build/build.txt || { tail -n 40 $build/build.txt; exit 1; }
 endings=("$@")

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// <gazebo> in a URDF: what a simulator adds to links and joints, which the element's reference names. Elements are those of
+// SDF under older names. Frictions, gravity and pairs that do not touch go to links, springs to joints; sensors get a frame
+// in their link and MJCF's kinds. A sensor looks along x there, a rangefinder of MJCF along z.
+#include <set>
+
+#include "robots/read/reading.h"
+#include "robots/sensors.h"
+
+namespace epode::robots {
+
+namespace {
+
+constexpr size_t kMaxApart = 100;  // links that a link is kept from touching
+
+bool is_true(const Element& element)
+{
+    const std::string text = element.node.text().get();
+    return text == "true" || text == "1" || text == "True";
+}
+
+class Gazebo {
+  public:
+    explicit Gazebo(Reading& reading) : reading_(reading), model_(reading.model) {}
+
+    void read(const Element& gazebo)
+    {
+        const std::string reference = gazebo.text("reference");
+        const int joint = model_.joint_named(reference), link = model_.link_named(reference);
+        for (const Element& child : gazebo.children()) {
+            if (child.name() == "sensor")
+                read_sensor(child, reference, joint >= 0 ? model_.joints[size_t(joint)].link : link);
+            else if (joint >= 0)
+                read_of_joint(child, model_.joints[size_t(joint)]);
+            else if (link >= 0)
+                read_of_link(child, link);
+            else
+                ignore(child, reference);
+        }
+    }
+
+  private:
+    void ignore(const Element& child, const std::string& reference)
+    {
+        reading_.note(
+            Note::kIgnored, child,
+            "<" + child.name() + "> in <gazebo>" + (reference.empty() ? "" : " of '" + reference + "'"));
+    }
+
+    // False and an error where the text is no number.
+    bool number(const Element& element, double& out)
+    {
+        std::vector<double> values;
+        const std::string text = element.node.text().get();
+        if (!reading_.numbers(element, text.empty() ? "none" : text, "value", 1, 1, values)) return false;
+        out = values[0];
+        return true;
+    }
+
+    void read_of_joint(const Element& child, Joint& joint)
+    {
+        static const std::set<std::string> harmless{"provideFeedback", "implicitSpringDamper",
+                                                    "preserveFixedJoint", "disableFixedJointLumping"};
+        const std::string name = child.name();
+        double value = 0;
+        if (harmless.count(name)) return;
+        if (name == "springStiffness") {
+            if (number(child, value)) joint.stiffness = std::max(0.0, value);
+        } else if (name == "springReference") {
+            number(child, joint.spring_reference);
+        } else if (name == "stopCfm" || name == "stopErp" || name == "fudgeFactor") {
+            reading_.note_once(Note::kApproximated, child, "joint " + name + ": limits are rigid");
+        } else {
+            ignore(child, joint.name);
+        }
+    }
+
+    void read_of_link(const Element& child, int number_of_link)
+    {
+        static const std::set<std::string> looks{
+            "material",          "visual", "laserRetro", "provideFeedback", "disableFixedJointLumping",
+            "preserveFixedJoint"};
+        static const std::set<std::string> soft{"kp",          "kd",       "maxVel",   "minDepth",
+                                                "maxContacts", "soft_cfm", "soft_erp", "maxContact"};
+        const std::string name = child.name();
+        Link& link = model_.links[size_t(number_of_link)];
+        if (looks.count(name)) return;
+        if (name == "mu1" || name == "mu" || name == "mu2") {
+            read_friction(child, link);
+        } else if (soft.count(name)) {
+            reading_.note_once(Note::kApproximated, child, "link " + name + ": contacts are rigid");
+        } else if (name == "turnGravityOff" || name == "gravity") {
+            link.is_weightless = is_true(child) == (name == "turnGravityOff");
+        } else if (name == "selfCollide" || name == "self_collide") {
+            if (!is_true(child)) keep_apart(child, number_of_link);
+        } else {
+            ignore(child, link.name);
+        }
+    }
+
+    // One friction for all directions: the first.
+    void read_friction(const Element& child, Link& link)
+    {
+        double value = 0;
+        if (!number(child, value)) return;
+        if (value < 0) return reading_.error(child, "link '" + link.name + "' has negative friction");
+        const bool is_second = child.name() == "mu2";
+        for (Shape& shape : link.shapes) {
+            if (!is_second) shape.friction = value;
+            if (is_second && shape.friction != value)
+                reading_.note_once(Note::kApproximated, child,
+                                   "friction is the same in both directions: mu1");
+        }
+        reading_.note_once(Note::kApproximated, child,
+                           "a pair's friction is the geometric mean, where Gazebo takes the smaller");
+    }
+
+    void keep_apart(const Element& child, int link)
+    {
+        std::vector<std::array<int, 2>> pairs;
+        for (size_t i = 0; i < model_.links.size(); ++i)
+            if (int(i) != link && !model_.links[i].shapes.empty())
+                pairs.push_back({std::min(link, int(i)), std::max(link, int(i))});
+        if (pairs.size() > kMaxApart)
+            return reading_.note(Note::kIgnored, child,
+                                 "selfCollide of a robot with more than 100 links that touch");
+        const std::set<std::array<int, 2>> known(model_.excluded.begin(), model_.excluded.end());
+        for (const auto& pair : pairs)
+            if (!known.count(pair)) model_.excluded.push_back(pair);
+    }
+
+    void read_sensor(const Element& sensor, const std::string& reference, int link)
+    {
+        const std::string type = sensor.text("type"), name = sensor.text("name");
+        if (link < 0) return ignore(sensor, reference);
+        Frame frame{unused(name.empty() ? reference + "/" + type : name), link, pose_of(sensor)};
+        const auto add = [&](const std::string& kind, const std::string& its) {
+            model_.sensors.push_back({its, kind, frame.name, sensor.line()});
+        };
+        const auto list = [&](const std::string& function) {
+            add(type, name);
+            reading_.note_once(Note::kIgnored, sensor,
+                               "sensors of kind <" + type + "> are listed, not computed by name" + function);
+        };
+        if (type == "imu") {
+            add("accelerometer", name + "/acceleration"), add("gyro", name + "/turning");
+        } else if (type == "force_torque") {
+            add("force", name + "/force"), add("torque", name + "/torque");
+        } else if (type == "contact") {
+            add("touch", name);
+            reading_.note_once(Note::kApproximated, sensor, "a contact sensor feels its whole link");
+        } else if (is_ray(type) && rays_of(sensor) == 1) {
+            add("rangefinder", name);
+            frame.pose = frame.pose * Pose{{}, turn_of_z({1, 0, 0})};
+        } else if (is_ray(type)) {
+            list(": dRobotCastRays");
+        } else {
+            list(type.find("camera") != std::string::npos ? ": dRobotTakePicture" : "");
+        }
+        model_.frames.push_back(frame);
+    }
+
+    static bool is_ray(const std::string& type)
+    {
+        return type == "ray" || type == "gpu_ray" || type == "lidar" || type == "gpu_lidar";
+    }
+
+    // Of a scan, horizontal times vertical; a broken number is an error and one ray.
+    double rays_of(const Element& sensor)
+    {
+        double rays = 1;
+        for (const char* kind : {"ray", "lidar"})
+            for (const char* way : {"horizontal", "vertical"}) {
+                const Element samples = sensor.child(kind).child("scan").child(way).child("samples");
+                double count = 1;
+                if (samples && number(samples, count)) rays *= count;
+            }
+        return rays;
+    }
+
+    Pose pose_of(const Element& sensor)
+    {
+        std::vector<double> p;
+        const Element pose = sensor.child("pose");
+        if (!pose || !reading_.numbers(pose, pose.node.text().get(), "pose", 6, 6, p)) return {};
+        return {{p[0], p[1], p[2]}, turn_of_rpy({p[3], p[4], p[5]})};
+    }
+
+    std::string unused(std::string name) const
+    {
+        while (model_.link_named(name) >= 0) name += "/sensor";
+        return name;
+    }
+
+    Reading& reading_;
+    RobotModel& model_;
+};
+
+}  // namespace
+
+void read_gazebo(const Element& robot, Reading& reading)
+{
+    Gazebo reader(reading);
+    for (const Element& gazebo : robot.children("gazebo")) reader.read(gazebo);
+}
+
+}  // namespace epode::robots
