@@ -80,6 +80,15 @@ bool calls_program(World& world)
     return calls;
 }
 
+// Does it make no difference to the program where its steps work? Not if it shares memory or supplies it.
+bool borrows_memory(const World& world)
+{
+    if (!world.memory) return true;
+    const ArenaSupply standard, &supply = world.memory->supply();
+    return !world.memory->shared() && !supply.alloc && !supply.free && supply.factor == standard.factor &&
+           supply.minimum == standard.minimum;
+}
+
 }  // namespace
 
 bool WorldBatch::add(World& world)
@@ -114,7 +123,28 @@ bool WorldBatch::prepare(int threads)
         return false;
     join_sharers();
     make_pieces();
+    return lend_memory();
+}
+
+// From the first worlds of the array, so that later calls find it as large as it has become. False: out of memory.
+bool WorldBatch::lend_memory()
+{
+    threads_ = std::max(1, std::min(threads_, pieces_.size()));
+    if (!lent_.reserve(threads_)) return false;
+    for (int i = 0; i < entries_.size() && lent_.size() < threads_; ++i) {
+        World& world = *entries_[i].world;
+        if (!borrows_memory(world)) continue;
+        StepMemory* const memory = working_memory(world);
+        if (!memory) return false;
+        (void)lent_.push(memory);
+    }
+    if (lent_.size() < threads_) lent_.clear();
     return true;
+}
+
+StepMemory* WorldBatch::memory_for(const World& world, int worker) const
+{
+    return !lent_.empty() && borrows_memory(world) ? lent_.data()[worker] : nullptr;
 }
 
 bool WorldBatch::collect_shares()
@@ -181,13 +211,12 @@ void WorldBatch::make_pieces()
     });
 }
 
-int WorldBatch::make_steps(int entry, const Step& step, int steps) const
+int WorldBatch::make_steps(World& world, const Step& step, int steps, StepMemory* lent) const
 {
-    World& world = *entries_[entry].world;
     const auto make = [&] {
-        if (!step.solver) return step_world_hybrid(world, step.h);
+        if (!step.solver) return step_world_hybrid(world, step.h, lent);
         return step_world(world, *step.solver, step.h,
-                          step.solver->substeps ? step.substeps : world.quick_iterations);
+                          step.solver->substeps ? step.substeps : world.quick_iterations, lent);
     };
     int done = 0;
     while (done < steps && make()) ++done;
@@ -197,16 +226,19 @@ int WorldBatch::make_steps(int entry, const Step& step, int steps) const
 int WorldBatch::run(const Step& step, int steps, int* made)
 {
     std::atomic<int> whole{0};
-    const auto run_one = [&](int place) {
-        const int entry = order_.data()[place], done = make_steps(entry, step, steps);
+    const auto run_one = [&](int place, StepMemory* lent) {
+        const int entry = order_.data()[place];
+        const int done = make_steps(*entries_.data()[entry].world, step, steps, lent);
         if (made) made[entry] = done;
         if (done == steps) whole.fetch_add(1, std::memory_order_relaxed);
     };
-    Tasks(threads_).for_each(pieces_.size(), [&](int p, int) {
+    Tasks(threads_).for_each(pieces_.size(), [&](int p, int worker) {
         const Piece& piece = pieces_.data()[p];
-        for (int i = 0; i < piece.count; ++i) run_one(piece.first + i);
+        for (int i = piece.first; i < piece.first + piece.count; ++i)
+            run_one(i, memory_for(*entries_.data()[order_.data()[i]].world, worker));
     });
-    for (int place = own_; place < order_.size(); ++place) run_one(place);
+    // Functions of the program may free or share what a world has.
+    for (int place = own_; place < order_.size(); ++place) run_one(place, nullptr);
     return whole.load();
 }
 

@@ -7,6 +7,8 @@
 //     one piece, stepped in the order of the array;
 //   - worlds whose steps call functions of the program, which expects them on its own thread: these worlds,
 //     and all that share with them, are stepped there after the others, in the order of the array.
+// All others work in memory that each worker lends to the worlds that it steps, one after another: a thousand
+// worlds of their own memory each would not fit the cache. What is lent belongs to the first of these worlds.
 // So the result of a world depends only on the worlds that it shares with and on their order. Rejected: one
 // queue of all islands of all worlds. It would balance better where worlds differ a lot in size, but would
 // split every step in the middle: collision and finishing touch the space and stay with their world.
@@ -60,13 +62,16 @@ class WorldBatch {
     void join_sharers();
     int find(int entry);
     void make_pieces();
-    int make_steps(int entry, const Step& step, int steps) const;
+    [[nodiscard]] bool lend_memory();
+    StepMemory* memory_for(const World& world, int worker) const;
+    int make_steps(World& world, const Step& step, int steps, StepMemory* lent) const;
 
     Array<Entry> entries_;
     Array<Share> shares_;
-    Array<int> order_;     // entries, piece after piece; those of the caller's thread last
-    Array<Piece> pieces_;  // heavy ones first
-    int own_ = 0;          // first place in order_ of the caller's thread
+    Array<int> order_;         // entries, piece after piece; those of the caller's thread last
+    Array<Piece> pieces_;      // heavy ones first
+    int own_ = 0;              // first place in order_ of the caller's thread
+    Array<StepMemory*> lent_;  // by worker; empty: each world uses its own
     int threads_ = 1;
 };
 

@@ -79,13 +79,15 @@ int weight(const Island& island)
 class WorldStep {
   public:
     // `hybrid`: each island has its own solver instead of the context's.
-    WorldStep(const StepContext& context, bool hybrid, StepState& state, const Workers& workers)
+    WorldStep(const StepContext& context, bool hybrid, StepState& state, StepMemory& memory,
+              const Workers& workers)
         : context_(context),
           hybrid_(hybrid),
           state_(state),
+          memory_(memory),
           workers_(workers),
           undo_(context.undo),
-          continuous_(context.world, undo_, state.continuous, memory().arena(0), context.h),
+          continuous_(context.world, undo_, state.continuous, memory_.arena(0), context.h),
           finish_(continuous_, state.world_contacts.live_space(), workers.of_islands)
     {}
 
@@ -95,7 +97,7 @@ class WorldStep {
     bool prepare()
     {
         World& world = context_.world;
-        Arena& arena = memory().arena(0);
+        Arena& arena = memory_.arena(0);
         updates_contacts_ = context_.manages_contacts && !is_settled();
         const ActiveBodies active{world.bodies.active_count(), world.bodies.count()};
         if (updates_contacts_ &&
@@ -110,7 +112,7 @@ class WorldStep {
             return false;
         groups_ = arena.take<Group>(int(islands_.size()));
         parcels_ = arena.take<int>(int(islands_.size()) + 1);
-        if (arena.failed() || !prepare_reports() || !memory().provide(workers_.of_islands.workers()) ||
+        if (arena.failed() || !prepare_reports() || !memory_.provide(workers_.of_islands.workers()) ||
             !finish_.begin(undo_.bodies(), !any_continuous(), arena))
             return false;
         return context_.contacts.begin(make_groups(), int(groups_.size()));
@@ -314,8 +316,6 @@ class WorldStep {
                (!state_.ledger_wanted || state_.ledgers.resize(count));
     }
 
-    StepMemory& memory() const { return *context_.world.memory; }
-
     // Parcel p is the groups from parcels_[p] to parcels_[p + 1].
     int cut_parcels()
     {
@@ -338,7 +338,7 @@ class WorldStep {
         if (context_.world.report_wanted) records.reports = state_.reports.span().subspan(first, count);
         if (state_.ledger_wanted) records.ledgers = state_.ledgers.span().subspan(first, count);
         if (!step_islands(context_for(group), islands_.subspan(first, count),
-                          {i, group.first_contact, group.first}, tasks, memory().arena(worker), records))
+                          {i, group.first_contact, group.first}, tasks, memory_.arena(worker), records))
             return out_of_memory_.store(true);
         const Island done = joined(islands_.subspan(first, count));
         finish_.at_once(done.bodies, tasks);
@@ -362,6 +362,7 @@ class WorldStep {
     const StepContext& context_;
     const bool hybrid_;
     StepState& state_;
+    StepMemory& memory_;
     const Workers& workers_;
     std::span<Island> islands_;
     bool updates_contacts_ = false;
@@ -415,8 +416,8 @@ const Solver* solver_in(const World& world, const Solver* solver)
     return solver == &kQuick && world.acts_as_ode() ? &kShuffled : solver;
 }
 
-// The step, when the world's working memory has been reserved for it; `solver` null: hybrid.
-bool step_in(World& world, StepState& state, const Solver* solver, Real h, int iterations)
+// The step, when the working memory has been reserved for it; `solver` null: hybrid.
+bool step_in(World& world, StepState& state, StepMemory& memory, const Solver* solver, Real h, int iterations)
 {
     Workers workers;
     if (!workers.start(world, solver)) return false;
@@ -432,7 +433,7 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
                               .undo = undo,
                               .manages_contacts = state.world_contacts.live_space() != nullptr,
                               .factorisations = {}};
-    WorldStep step(context, !solver, state, workers);
+    WorldStep step(context, !solver, state, memory, workers);
     const bool made = step.prepare() && step.run() && step.stop_at_impacts();
     if (made) {
         state.contacts.end();
@@ -455,18 +456,18 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
     return made;
 }
 
-bool step_with(World& world, const Solver* solver, Real h, int iterations)
+bool step_with(World& world, const Solver* solver, Real h, int iterations, StepMemory* lent)
 {
     const FloatEnvironment floats;
     const Stepping mark(world);
     // A program can write through the pointers that getters return: what was broken before, no step has to mend.
     [[maybe_unused]] const bool was_whole = kAsserts && !fault_of(world);
     StepState* state = step_state(world);
-    StepMemory* memory = working_memory(world);
+    StepMemory* memory = lent ? lent : working_memory(world);
     if (!state || !memory || !memory->begin()) return false;
     for (StepObserver* o : state->observers())
         if (o && o->begin) o->begin(*o, world, h);
-    const bool done = step_in(world, *state, solver_in(world, solver), h, iterations);
+    const bool done = step_in(world, *state, *memory, solver_in(world, solver), h, iterations);
     memory->end();
     for (StepObserver* o : state->observers())
         if (o && o->end) o->end(*o, world, h, done);
@@ -488,12 +489,15 @@ void free_working_memory(World& world)
     if (world.step_state) world.step_state->symbolic_cache.clear();
 }
 
-bool step_world(World& world, const Solver& solver, Real h, int iterations)
+bool step_world(World& world, const Solver& solver, Real h, int iterations, StepMemory* lent)
 {
-    return step_with(world, &solver, h, iterations);
+    return step_with(world, &solver, h, iterations, lent);
 }
 
-bool step_world_hybrid(World& world, Real h) { return step_with(world, nullptr, h, 0); }
+bool step_world_hybrid(World& world, Real h, StepMemory* lent)
+{
+    return step_with(world, nullptr, h, 0, lent);
+}
 
 std::span<const dIslandStepReport> island_reports(const World& world)
 {

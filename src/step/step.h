@@ -59,12 +59,13 @@ void free_working_memory(World& world);
 
 // False: memory is exhausted, or another step uses the working memory; the world is then unchanged except for
 // the feedback of joints and the report.
-bool step_world(World& world, const Solver& solver, Real h, int iterations);
+// `lent`: memory to work in instead of the world's own.
+bool step_world(World& world, const Solver& solver, Real h, int iterations, StepMemory* lent = nullptr);
 
 inline constexpr int kMaxSubsteps = 10000;
 
 // The same, with a solver chosen for each island (step/hybrid).
-bool step_world_hybrid(World& world, Real h);
+bool step_world_hybrid(World& world, Real h, StepMemory* lent = nullptr);
 
 // The world's StepState, created if it has none; null when memory is exhausted.
 StepState* step_state(World& world);
