@@ -11,6 +11,8 @@
 #include <functional>
 
 #include "collide/collide.h"
+#include "collide/space.h"
+#include "dynamics/joint_drives.h"
 #include "query/candidates.h"
 #include "step/common/link.h"
 #include "step/step.h"
@@ -80,6 +82,44 @@ bool calls_program(World& world)
     return calls;
 }
 
+// ---- a world comes out of main memory, unless only few are stepped: what its step reads is fetched while others
+// are stepped, into the second level of the cache, where it does not displace what they work with. Another worker
+// may step it at the same time, so only what no step changes is read ----
+
+void fetch(const void* first, std::size_t bytes)
+{
+    const auto* at = static_cast<const char*>(first);
+    for (std::size_t i = 0; i < bytes; i += kCacheLine) __builtin_prefetch(at + i, 0, 2);
+}
+
+constexpr std::size_t kJointBytes = 768;  // of a joint with two axes; more than most have
+
+// Objects, whose addresses the world has.
+void fetch_objects(const World& world)
+{
+    for (const Body& body : world.bodies) fetch(&body, sizeof body);
+    for (const Joint& joint : world.joints) fetch(&joint, kJointBytes);
+    if (!world.step_state) return;
+    const Space* const space = world.step_state->world_contacts.live_space();
+    if (!space) return;
+    for (const Geom* geom : space->geoms)
+        if (geom) fetch(geom, sizeof *geom + sizeof(GeomOffset));
+}
+
+// What these objects lead to.
+void fetch_parts(const World& world)
+{
+    for (const Joint& joint : world.joints)
+        if (!is_contact(joint))
+            if (const JointDrives* drives = static_cast<const LastingJoint&>(joint).drives)
+                fetch(drives, sizeof(AxisDrive));
+    if (!world.step_state) return;
+    const Space* const space = world.step_state->world_contacts.live_space();
+    if (!space) return;
+    for (const Geom* geom : space->geoms)
+        if (geom && geom->offset) fetch(geom->offset, sizeof(GeomOffset));
+}
+
 // Does it make no difference to the program where its steps work? Not if it shares memory or supplies it.
 bool borrows_memory(const World& world)
 {
@@ -105,6 +145,7 @@ WorldBatch::~WorldBatch()
 
 void WorldBatch::survey(Entry& entry)
 {
+    (void)step_state(*entry.world);  // fetch_objects() may look for it while the world is stepped
     entry.calls_program = epode::calls_program(*entry.world);
     for_shares(*entry.world, [&](const void* what) {
         const int known = std::min(entry.share_count, kInline);
@@ -211,6 +252,18 @@ void WorldBatch::make_pieces()
     });
 }
 
+// Of the worlds that will probably be stepped after the piece.
+void WorldBatch::fetch_ahead(int piece) const
+{
+    const auto world_of = [&](int p) -> const World& {
+        return *entries_.data()[order_.data()[pieces_.data()[p].first]].world;
+    };
+    const int last = pieces_.size() - 1;
+    if (piece + threads_ <= last) fetch_parts(world_of(piece + threads_));
+    if (piece + 2 * threads_ <= last) fetch_objects(world_of(piece + 2 * threads_));
+    if (piece + 3 * threads_ <= last) fetch(&world_of(piece + 3 * threads_), sizeof(World));
+}
+
 int WorldBatch::make_steps(World& world, const Step& step, int steps, StepMemory* lent) const
 {
     const auto make = [&] {
@@ -234,6 +287,7 @@ int WorldBatch::run(const Step& step, int steps, int* made)
     };
     Tasks(threads_).for_each(pieces_.size(), [&](int p, int worker) {
         const Piece& piece = pieces_.data()[p];
+        fetch_ahead(p);
         for (int i = piece.first; i < piece.first + piece.count; ++i)
             run_one(i, memory_for(*entries_.data()[order_.data()[i]].world, worker));
     });

@@ -64,6 +64,7 @@ class WorldBatch {
     void make_pieces();
     [[nodiscard]] bool lend_memory();
     StepMemory* memory_for(const World& world, int worker) const;
+    void fetch_ahead(int piece) const;
     int make_steps(World& world, const Step& step, int steps, StepMemory* lent) const;
 
     Array<Entry> entries_;
