@@ -15,6 +15,7 @@
 #include "collide/transform.h"
 #include "ode/contacts.h"
 #include "ode/shapes.h"
+#include "simd/quad.h"
 
 namespace epode {
 namespace {
@@ -45,10 +46,14 @@ void refresh_pose(Geom& geom)
 {
     if (!geom.pose_stale) return;
     geom.pose_stale = false;
-    const Pose pose = load_pose(geom.body.position, geom.body.rotation) *
-                      load_pose(geom.offset->position, geom.offset->rotation);
-    store(geom.own_position, pose.p);
-    store_mat(geom.own_rotation, pose.R);
+    const Real *R = geom.body.rotation, *by = geom.offset->rotation;
+    const Pose body = load_pose(geom.body.position, R);
+    store(geom.own_position, body.to_world(load(geom.offset->position)));
+    const Quad x = load_quad(by), y = load_quad(by + 4), z = load_quad(by + 8);
+    for (int i = 0; i < 12; i += 4) {
+        const Quad row = x * quad(R[i]) + y * quad(R[i + 1]) + z * quad(R[i + 2]);
+        store_quad(geom.own_rotation + i, quad(lane(row, 0), lane(row, 1), lane(row, 2), 0));
+    }
 }
 
 void refresh_box(Geom& geom)

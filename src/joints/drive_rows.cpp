@@ -141,7 +141,11 @@ void emit_drives(Joint& joint, RowWriter& out)
 
 void store_drive_forces(Joint& joint, const RowBlock& block, const RowSystem& system)
 {
-    for (AxisDrive& axis : drives_of(joint).axis) {
+    // Each axis has lines of the cache of its own. Motors may have had more axes in an earlier step.
+    const bool varies = joint.type->number == dJointTypeAMotor || joint.type->number == dJointTypeLMotor;
+    const int axes = varies ? kMaxAxes : axis_count(joint);
+    for (int i = 0; i < axes; ++i) {
+        AxisDrive& axis = drives_of(joint).axis[i];
         axis.force = 0;
         if (axis.servo_row < 0) continue;
         const auto at = std::size_t(block.first + axis.servo_row);

@@ -82,9 +82,12 @@ bool sound(const RowSystem& system, int part, const Tasks& tasks)
     check(from.contact_manifolds, to.contact_manifolds,
           [&](std::size_t i) { return is_sound(*system.contact_manifolds[i]); });
     if (!all) return false;
-    for (auto k = std::size_t(from.blocks); k < std::size_t(to.blocks); ++k)
-        for (int i = system.blocks[k].first; i < system.blocks[k].first + system.blocks[k].count; ++i)
-            if (!usable(system.numbers[std::size_t(i)].p)) return false;
+    if (from.blocks < to.blocks) {
+        const RowBlock &first = system.blocks[std::size_t(from.blocks)],
+                       &last = system.blocks[std::size_t(to.blocks) - 1];
+        for (int i = first.first; i < last.first + last.count; ++i)
+            if (!usable(system.numbers.data()[i].p)) return false;
+    }
     for (auto k = std::size_t(from.joint_manifolds); k < std::size_t(to.joint_manifolds); ++k) {
         const JointManifold& m = system.joint_contacts.manifolds[k];
         for (int i = m.first; i < m.first + m.count; ++i)

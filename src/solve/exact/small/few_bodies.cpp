@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simd/lanewise.h"
 #include "solve/exact/small/box_phases.h"
 
 namespace epode {
@@ -71,10 +72,10 @@ void factor_lanes(Rows& H, double* inverse)
 
 // x = H^-1 x
 template <int Lanes, class Rows>
-void solve_lanes(const Rows& H, const double* inverse, double* out)
+void solve_lanes(const Rows& H, const double* inverse, DoubleLane* out)
 {
     DoubleLane x[Lanes];
-    std::copy_n(reinterpret_cast<const DoubleLane*>(out), Lanes, x);
+    std::copy_n(out, Lanes, x);
 #pragma GCC unroll 6
     for (int k = 0; k < 2 * Lanes; ++k) {
         const double f = x[k / 2][k % 2] * inverse[k];
@@ -89,25 +90,37 @@ void solve_lanes(const Rows& H, const double* inverse, double* out)
         for (int q = (k + 1) / 2; q < Lanes; ++q) sum += H[k][q] * x[q];
         x[k / 2][k % 2] = own - inverse[k] * (sum[0] + sum[1]);
     }
-    std::copy_n(x, Lanes, reinterpret_cast<DoubleLane*>(out));
+    std::copy_n(x, Lanes, out);
 }
 
-// J v; a single body is the first.
+// One number per unknown; those of a single body, which is the first, stay in registers.
 template <int Lanes>
-double times(const ExactRow& row, const double* v)
-{
-    return Lanes == 3 ? six_dot(row.J, v) : ExactProblem::jv(row, v);
-}
+struct Unknowns {
+    DoubleLane of[Lanes];
 
-// x += J^T s
-template <int Lanes>
-void add_transposed(const ExactRow& row, double s, double* x)
-{
-    if (Lanes > 3) return ExactProblem::add_jt(row, s, x);
-    const auto* J = reinterpret_cast<const DoubleLane*>(row.J);
-    auto* out = reinterpret_cast<DoubleLane*>(x);
-    for (int q = 0; q < 3; ++q) out[q] += J[q] * s;
-}
+    EPODE_LANEWISE explicit Unknowns(std::span<const double> x)
+    {
+        std::copy_n(reinterpret_cast<const DoubleLane*>(x.data()), Lanes, of);
+    }
+    EPODE_LANEWISE void store(std::span<double> x) const
+    {
+        std::copy_n(of, Lanes, reinterpret_cast<DoubleLane*>(x.data()));
+    }
+
+    // J x
+    EPODE_LANEWISE double along(const ExactRow& row) const
+    {
+        if constexpr (Lanes > 3) return ExactProblem::jv(row, reinterpret_cast<const double*>(of));
+        return six_dot(reinterpret_cast<const DoubleLane*>(row.J), of);
+    }
+    // += J^T s
+    EPODE_LANEWISE void add(const ExactRow& row, double s)
+    {
+        if constexpr (Lanes > 3) return ExactProblem::add_jt(row, s, reinterpret_cast<double*>(of));
+        const auto* J = reinterpret_cast<const DoubleLane*>(row.J);
+        for (int q = 0; q < 3; ++q) of[q] += J[q] * s;
+    }
+};
 
 }  // namespace
 
@@ -158,8 +171,7 @@ bool FewBodies::prepare(const RowSystem& system, Arena& arena)
 
 bool FewBodies::settle(int& rounds)
 {
-    begin();
-    choose();
+    by_bodies([&](auto lanes) { begin<lanes>(); });
     const Patience& patience = kPatience[n_ / 6 - 1];
     for (round_ = 0; round_ < patience.rounds; ++round_) {
         ++rounds;
@@ -181,31 +193,36 @@ bool FewBodies::has_shifted() const
     return false;
 }
 
-// Lists the rows that may move; computes velocities without them and with the present impulses.
+// Lists the rows that may move; computes velocities without them and with the present impulses, and chooses
+// sides.
+template <int Lanes>
 void FewBodies::begin()
 {
-    std::copy(problem_.free_motion().begin(), problem_.free_motion().end(), base_.begin());
+    Unknowns<Lanes> v(problem_.free_motion());
     std::size_t count = 0;
     for (int i = 0; i < problem_.row_count(); ++i) {
         const double p = state_.p[std::size_t(i)];
         if (state_.tag[std::size_t(i)] != BoxState::kFixed)
             rows_[count++] = i;
         else if (p != 0)
-            ExactProblem::add_jt(problem_.row(i), p, base_.data());
+            v.add(problem_.row(i), p);
     }
     open_ = rows_.first(count);
-    std::copy(base_.begin(), base_.end(), v_.begin());
-    for (const int i : open_) ExactProblem::add_jt(problem_.row(i), state_.p[std::size_t(i)], v_.data());
+    v.store(base_);
+    for (const int i : open_) v.add(problem_.row(i), state_.p[std::size_t(i)]);
+    v.store(v_);
+    choose(v);
 }
 
 // Chooses the side on which a row's own step ends, or nearly: the bounds of friction change with the load,
 // and sliding contacts continue to slide.
-void FewBodies::choose()
+template <class Velocities>
+void FewBodies::choose(const Velocities& v)
 {
     for (const int at : open_) {
         const auto i = std::size_t(at);
         const ExactRow& row = problem_.row(at);
-        const double w = ExactProblem::jv(row, v_.data()) + row.C * state_.p[i] - row.c;
+        const double w = v.along(row) + row.C * state_.p[i] - row.c;
         const double q = state_.p[i] - w / row.d, lo = state_.lo[i], hi = state_.hi[i];
         const double near = lo < 0 && hi - lo < HUGE_VAL ? kNear * (hi - lo) : 0;
         state_.tag[i] = q < lo + near ? BoxState::kLower : q > hi - near ? BoxState::kUpper : BoxState::kFree;
@@ -285,28 +302,29 @@ bool FewBodies::refine()
 template <int Lanes>
 double FewBodies::improve()
 {
-    alignas(16) double r[2 * Lanes];
-    for (int q = 0; q < 2 * Lanes; ++q) r[q] = base_[std::size_t(q)] - v_[std::size_t(q)];
+    Unknowns<Lanes> v(v_), r(base_);
+    for (int q = 0; q < Lanes; ++q) r.of[q] -= v.of[q];
     for (const int i : open_) {
         const auto k = std::size_t(i);
         const ExactRow& row = problem_.row(i);
         double impulse = state_.p[k];
         if (D_[k] > 0) {
-            w_[k] = row.c - times<Lanes>(row, v_.data()) - row.C * impulse;
+            w_[k] = row.c - v.along(row) - row.C * impulse;
             impulse += D_[k] * w_[k];
         }
-        add_transposed<Lanes>(row, impulse, r);
+        r.add(row, impulse);
     }
-    solve_lanes<Lanes>(H_, inverse_, r);
+    solve_lanes<Lanes>(H_, inverse_, r.of);
     for (const int i : open_) {
         const auto k = std::size_t(i);
-        if (D_[k] > 0) state_.p[k] += D_[k] * (w_[k] - times<Lanes>(problem_.row(i), r));
+        if (D_[k] > 0) state_.p[k] += D_[k] * (w_[k] - r.along(problem_.row(i)));
     }
     double largest = 0;
-    for (int q = 0; q < 2 * Lanes; ++q) {
-        v_[std::size_t(q)] += r[q];
-        largest = std::max(largest, std::fabs(r[q]));
+    for (int q = 0; q < Lanes; ++q) {
+        v.of[q] += r.of[q];
+        largest = std::max({largest, std::fabs(r.of[q][0]), std::fabs(r.of[q][1])});
     }
+    v.store(v_);
     return largest;
 }
 

@@ -43,8 +43,10 @@ class FewBodies {
     bool prepare(const RowSystem& system, Arena& arena);
     bool settle(int& rounds);
     bool has_shifted() const;
+    template <int Lanes>
     void begin();
-    void choose();
+    template <class Velocities>
+    void choose(const Velocities& v);
     void factor();
     void add_rows(int first, int last);
     bool refine();

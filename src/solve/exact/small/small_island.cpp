@@ -4,6 +4,8 @@
 // Which islands are small, and for which method, was determined by measurement (docs/solvers.md).
 #include "solve/exact/small/small_island.h"
 
+#include <algorithm>
+
 #include "solve/common/residual.h"
 #include "solve/exact/small/condensed.h"
 #include "solve/exact/small/few_bodies.h"
@@ -53,6 +55,12 @@ bool almost_right(const RowSystem& system, Arena& arena)
     return residual >= 0 && residual < kNearly;
 }
 
+bool has_joints(const RowSystem& system)
+{
+    return std::any_of(system.blocks.begin(), system.blocks.end(),
+                       [](const RowBlock& block) { return !block.contact; });
+}
+
 }  // namespace
 
 bool can_pivot(const RowSystem& system)
@@ -70,10 +78,11 @@ SmallResult solve_small(RowSystem& system, const SolverSettings& settings, Arena
 {
     std::size_t dynamic = 0;
     for (const SolverBody& body : system.bodies) dynamic += body.inv_mass > 0;
-    if (const SmallResult result =
+    if (has_joints(system)) {
+        const SmallResult result =
             condensed_kernels().back()->solve(system, settings.refine_above, arena, report);
-        result != SmallResult::kNotSolved)
-        return result;
+        if (result != SmallResult::kNotSolved) return result;
+    }
     if (system.blocks.size() > kMaxBlocks) return SmallResult::kNotSolved;
     if (system.rows.size() <= 6 * dynamic) {
         const SmallResult result = solve_with(Method::kNewton, system, settings, arena, report);
