@@ -155,6 +155,69 @@ TEST_P(WorldBatch, makes_several_steps_as_so_many_calls)
     EXPECT_EQ(hashes(many), hashes(one));
 }
 
+// ---- working memory
+
+int g_large_blocks = 0;
+void* count_large(dsizeint size)
+{
+    g_large_blocks += size >= 64 * 1024;
+    return std::malloc(size);
+}
+
+// Blocks that could be working memory, in the first steps of 32 worlds.
+int large_blocks(Stepper stepper, bool in_one_call)
+{
+    Sims sims;
+    for (int i = 0; i < 32; ++i) {
+        sims.push_back(std::make_unique<Sim>(stepper));
+        build_heap(*sims.back(), i % 3, nullptr);
+    }
+    g_large_blocks = 0;
+    dSetAllocHandler(count_large);
+    if (in_one_call)
+        EXPECT_EQ(step_many(sims, 1, 3), 32);
+    else
+        for (const auto& sim : sims) step_alone(*sim);
+    dSetAllocHandler(nullptr);
+    return g_large_blocks;
+}
+
+TEST_P(WorldBatch, lends_working_memory_instead_of_taking_some_for_each_world)
+{
+    EXPECT_GE(large_blocks(GetParam(), false), 32) << "a world that is stepped alone has its own";
+    EXPECT_LE(large_blocks(GetParam(), true), 4);
+}
+
+// Memory that the program has set up for a world is used for that world, and for no other.
+TEST_P(WorldBatch, leaves_the_memory_of_a_world_with_a_manager_to_it)
+{
+    Sims sims, twins;
+    for (Sims* to : {&sims, &twins})
+        for (int i = 0; i < 6; ++i) {
+            to->push_back(std::make_unique<Sim>(GetParam()));
+            build_heap(*to->back(), i, nullptr);
+        }
+    static int taken;
+    taken = 0;
+    dWorldStepMemoryFunctionsInfo functions{};
+    functions.struct_size = sizeof functions;
+    functions.alloc_block = [](dsizeint size) {
+        ++taken;
+        return std::malloc(size);
+    };
+    functions.free_block = [](void* block, dsizeint) { std::free(block); };
+    ASSERT_EQ(dWorldSetStepMemoryManager(sims[0]->world, &functions), 1);
+    const dWorldID others[] = {sims[1]->world, sims[2]->world};
+    const int stepper = number_of(GetParam()), substeps = sims[0]->small_steps;
+    ASSERT_EQ(dWorldsStep(others, 2, real(kH), stepper, substeps, 1, 2, nullptr), 2);
+    ASSERT_EQ(dWorldsStep(worlds_of(twins).data() + 1, 2, real(kH), stepper, substeps, 1, 1, nullptr), 2);
+    EXPECT_EQ(taken, 0);
+    for (int i = 0; i < 20; ++i) ASSERT_EQ(step_many(sims, 1 + i % 3), 6);
+    EXPECT_GE(taken, 1);
+    for (int i = 0; i < 20; ++i) ASSERT_EQ(step_many(twins, 1), 6);
+    EXPECT_EQ(hashes(sims), hashes(twins));
+}
+
 // ---- worlds that share
 
 // Worlds whose bodies are in one space: what moves in one meets, by continuous collision, what others moved.
