@@ -53,7 +53,7 @@ CLI::App* add_accuracy(CLI::App& app, AccuracyArguments& arguments)
     command->add_option("--dt", arguments.options.dt, "step size in seconds (default 0.001)")
         ->check(CLI::Range(1e-6, 1.0));
     command->add_option("--variant", arguments.options.variant,
-                        "rolling: y, xy, xy-fdir; whip: plain, projected, nudged");
+                        "rolling: y, xy, xy-fdir; whip: plain, projected, nudged1, nudged2, ...");
     command->add_option("--trace", arguments.options.trace,
                         "whip: write the gap after every step to this file");
     command->add_option("--size", arguments.options.size,

@@ -42,7 +42,7 @@ constexpr Parameter kParameters[] = {
     PARAMETER(int,      HybridSubsteps,          4,           4,              4,             "substeps, where dWorldStepHybrid takes any"),
     PARAMETER(int,      ExactSubsteps,           1,           1,              1,             "exact solves in a step"),
     PARAMETER(int,      ExactRotation,           0,           0,              1,             "1: spinning bodies keep energy and angular momentum"),
-    PARAMETER(int,      StepProjection,          0,           0,              0,             "Newton iterations that close joints; 8 under loads that open them"),
+    PARAMETER(int,      StepProjection,          0,           0,              2,             "Newton iterations that close joints; 8 under loads that open them"),
     PARAMETER(dReal,    StepProjectionTolerance, kTolerance,  kTolerance,     kTolerance,    "error that projection leaves"),
     PARAMETER(dReal,    StepWarmStarting,        1,           1,              1,             "share of the last forces that a step starts from"),
     PARAMETER(int,      FrictionCone,            0,           1,              1,             "1: contact joints have the same friction in all directions"),

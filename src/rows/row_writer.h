@@ -19,6 +19,7 @@ struct StepInfo {
     Real erp = 0;                 // of the world
     Real cfm = 0;                 // of the world
     Real contact_layer = 0;       // depth that contacts may keep, m
+    Real touching_depth = 0;      // that contacts of several points keep, beyond rounding, m
     Real contact_max_vel = kInf;  // limit of a contact's correcting velocity, m/s
     bool inner = false;           // a pose within a step that has begun: the number of rows must not change
 };

@@ -2,16 +2,20 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Contact: body 1 may only move along the normal n, away from body 2, and slides against friction.
-//   normal     J v >= min(erp/h max(depth - layer, 0) + motionN, cap),  lambda >= 0
+//   normal     J v >= min(erp/h max(depth - layer, 0) + motionN - max(touch - depth, 0)/h, cap),  lambda >= 0
 //   bounce     J v >= bounce approach + motionN  when  approach = motionN - J v(before) > bounce_vel
 //   friction   J v  = motion along t1, t2,       |lambda| <= mu   or  mu times the normal force
 //   rolling    the relative angular velocity about t1, t2, n vanishes within the same kind of bounds
 //   J = [ d, r1 x d, -d, -(r2 x d) ] for d = n, t1, t2;   [ 0, d, 0, -d ] for rolling
+// A contact may close to the depth `touch`, which is rounding, and for sweeps what they leave over: where what
+// rests is held at a depth of 0 exactly, collision finds one corner in some steps and not in others, and a box
+// near its angle of friction falls and slides by a millimetre in every such step.
 // Friction bounds per direction (a pyramid), as ODE's interface defines its coefficients. A rolling
 // coefficient of zero writes no row, where ODE writes an empty one that can stop its exact solver.
 #include "ode/contact.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/prefetch.h"
 #include "joints/access.h"
@@ -48,13 +52,21 @@ struct Contact : Joint {
     const dSurfaceParameters& surface() const;  // of a special contact
     const Real* fdir1() const;                  // likewise
     void destroy();
+    // Below this a contact may close: rounding, and what sweeps leave over where it is one of several.
+    Real touching_depth(const StepInfo& info, bool several) const
+    {
+        constexpr Real kDigits = 8 * std::numeric_limits<Real>::epsilon();
+        const Real rounding = kDigits * std::max({std::fabs(pos.x), std::fabs(pos.y), std::fabs(pos.z)});
+        return rounding + (several ? info.touching_depth : std::min(info.touching_depth, Real(0)));
+    }
     Vec3 outward() const { return reverse ? -normal : normal; }  // into body 1
     Real mu2() const { return has(dContactMu2) ? surface().mu2 : mu; }
     bool sliding_at_all() const { return mu > 0 || has(dContactAxisDep | dContactRolling); }
 
     void emit(RowWriter& out) const;
     Row& contact_row(RowWriter& out, Vec3 d, RowKind kind) const;
-    void aim_normal(Row& row, const StepInfo& info, Vec3 n) const;
+    void aim_normal(Row& row, const StepInfo& info, Vec3 n, Real touching_depth) const;
+    void aim_rebound(Row& row, Vec3 n) const;
     void write_sliding(RowWriter& out, Vec3 t1, Vec3 t2) const;
     void write_rolling(RowWriter& out, Vec3 t1, Vec3 t2, Vec3 n) const;
     void tangents(Vec3 n, Vec3& t1, Vec3& t2) const;
@@ -168,7 +180,7 @@ void Contact::emit(RowWriter& out) const
 {
     out.contact_at(pos - body1()->position(), body2() ? pos - body2()->position() : Vec3{});
     const Vec3 n = outward();
-    aim_normal(contact_row(out, n, RowKind::kNormal), out.info(), n);
+    aim_normal(contact_row(out, n, RowKind::kNormal), out.info(), n, touching_depth(out.info(), false));
     if (!sliding_at_all()) return;
     Vec3 t1, t2;
     tangents(n, t1, t2);
@@ -177,7 +189,7 @@ void Contact::emit(RowWriter& out) const
 }
 
 // All but the Jacobian.
-inline void Contact::aim_normal(Row& row, const StepInfo& info, Vec3 n) const
+inline void Contact::aim_normal(Row& row, const StepInfo& info, Vec3 n, Real touching_depth) const
 {
     const Real excess = depth - info.contact_layer;
     row.error = excess > 0 ? excess : 0;
@@ -187,6 +199,12 @@ inline void Contact::aim_normal(Row& row, const StepInfo& info, Vec3 n) const
     if (has(dContactSoftCFM)) row.cfm = surface().soft_cfm;
     row.soft = has(dContactSoftERP | dContactSoftCFM);
     row.lo = 0;
+    aim_rebound(row, n);
+    if (depth < touching_depth) row.speed -= info.fps * (touching_depth - depth);
+}
+
+inline void Contact::aim_rebound(Row& row, Vec3 n) const
+{
     if (!has(dContactBounce) || !(surface().bounce_vel >= 0)) return;
     const Vec3 v = body1()->point_velocity(pos) - (body2() ? body2()->point_velocity(pos) : Vec3{});
     const Real approach = row.speed - dot(n, v);
@@ -281,11 +299,12 @@ void begin_manifold(const Contact& contact, const StepInfo& info, int first, Joi
     for (int k = 0; k < 2; ++k) m.c[k] = m.C[k] = m.mu[k] = m.fixed[k] = 0;
 }
 
-inline void set_point(const Contact& contact, const StepInfo& info, Vec3 n, JointManifoldPoint& point)
+inline void set_point(const Contact& contact, const StepInfo& info, Vec3 n, Real touching_depth,
+                      JointManifoldPoint& point)
 {
     Row row;
     row.erp = info.erp, row.cfm = info.cfm;
-    contact.aim_normal(row, info, n);
+    contact.aim_normal(row, info, n, touching_depth);
     point.r1 = contact.pos - contact.body1()->position();
     point.c = wanted_velocity(row, row.erp * info.fps);
     point.C = row.cfm * info.fps;
@@ -301,7 +320,7 @@ Row normal_of_contact(const Joint& joint, const StepInfo& info)
     Row row;
     row.erp = info.erp, row.cfm = info.cfm;
     row.kind = RowKind::kNormal;
-    contact.aim_normal(row, info, contact.outward());
+    contact.aim_normal(row, info, contact.outward(), contact.touching_depth(info, false));
     return row;
 }
 
@@ -310,6 +329,21 @@ ContactPlace place_of_contact(const Joint& joint)
     const Contact& contact = static_cast<const Contact&>(joint);
     return {contact.pos, contact.outward(), contact.depth};
 }
+
+namespace {
+
+// Sweeps settle a point alone to rounding; of several some are left to part.
+Real touching_depth(std::span<Joint* const> contacts, std::size_t i, const StepInfo& info)
+{
+    const Contact& contact = static_cast<const Contact&>(*contacts[i]);
+    const auto of_same_bodies = [&](std::size_t k) {
+        return k < contacts.size() && contacts[k]->body1() == contact.body1() &&
+               contacts[k]->body2() == contact.body2();
+    };
+    return contact.touching_depth(info, of_same_bodies(i + 1) || of_same_bodies(i - 1));
+}
+
+}  // namespace
 
 void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, JointManifoldList& out)
 {
@@ -325,7 +359,7 @@ void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, Joi
         if (!last || !joins(*last, contact) || out.manifolds[manifolds - 1].count == kManifoldPoints)
             begin_manifold(contact, info, int(i), out.manifolds[manifolds++]);
         JointManifold& m = out.manifolds[manifolds - 1];
-        set_point(contact, info, m.n, out.points[i]);
+        set_point(contact, info, m.n, touching_depth(contacts, i, info), out.points[i]);
         ++m.count;
         last = &contact;
     });

@@ -20,8 +20,8 @@
 
 namespace epode {
 
-// `v_star`: the bodies before the solve. lo, hi: the effective bounds, with friction limits resolved.
-// Negative when the arena is exhausted.
+// `v_star`: the bodies after all that is not the rows' own, forces and impulses of manifolds. lo, hi: the
+// effective bounds, with friction limits resolved. Negative when the arena is exhausted.
 Real natural_residual(const RowSystem& system, std::span<const SolverBody> v_star, std::span<const Real> lo,
                       std::span<const Real> hi, Arena& arena);
 

@@ -470,6 +470,12 @@ bool ManifoldSet::find_rebounds(std::span<ContactManifold* const> manifolds, Are
 
 void ManifoldSet::apply_impulses(std::span<Velocity> bodies) const { add(bodies, impulse_velocity_); }
 
+void ManifoldSet::apply_impulses(std::span<SolverBody> bodies) const
+{
+    for (std::size_t i = 0; i < impulse_velocity_.size(); ++i)
+        bodies[i].v += impulse_velocity_[i].v, bodies[i].w += impulse_velocity_[i].w;
+}
+
 void ManifoldSet::follow_motion(std::span<const Velocity> bodies)
 {
     const float hs = float(hs_);

@@ -46,6 +46,7 @@ class ManifoldSet {
     // v += M^-1 J^T p with the impulses at the end of the last substep: the sum of all changes since its
     // beginning, body by body, so it needs no visit to the contacts.
     void apply_impulses(std::span<Velocity> bodies) const;
+    void apply_impulses(std::span<SolverBody> bodies) const;  // the same
     void follow_motion(std::span<const Velocity> bodies);  // the bodies move for hs
     void store_impulses(std::span<ContactManifold* const> manifolds) const;
     // After that: the restitution times the approach of each point of each manifold, if it approached fast

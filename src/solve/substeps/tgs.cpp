@@ -13,8 +13,8 @@
 // are measured at every pose, so mass ratios that would need hundreds of sweeps settle in ten substeps; on
 // regular stacks there is no gain. The impulse of a step is the sum over its substeps; the next step starts
 // from its n-th part. The reported residual is that of the last substep after its correcting solve, because
-// for the whole step no single problem exists. Contact manifolds are solved in float lanes in the same passes
-// and are not part of it.
+// for the whole step no single problem exists. Contact manifolds are solved in float lanes in the same passes;
+// their rows are not judged, but v* contains what their impulses have done to the bodies.
 //
 // The second solver here differs in one thing: all joints of the island are one block that is solved exactly
 // (solve/substeps/joint_network), before and after the contacts of each pass. An articulated body in a pile
@@ -207,6 +207,7 @@ class SubstepSolver {
         one.numbers = described_, one.rows = rows_;
         one.frictions = contacts_.manifold_frictions(arena);
         const RowSystem all = one;
+        manifolds_.apply_impulses(before_);
         present_bounds(one, lo_, hi_);
         report.residual = natural_residual(one, before_, lo_, hi_, arena);
         for (int part = 0; part < int(system_.parts.size()) && report.residual >= 0; ++part) {

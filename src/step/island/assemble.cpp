@@ -153,6 +153,20 @@ void place_terms(std::span<const BodyTerm> from, const RowSystem& system, const 
         to[i] = {from[i].body->island_index, from[i].lin, from[i].ang};
 }
 
+namespace {
+
+// Depth that contact joints keep. Sweeps in floats open what rests by up to 1e-6 of the fall of a step, more
+// sweeps converge. A layer keeps contacts in any case, and ODE has no such depth.
+Real touching_depth(const World& world, Real h)
+{
+    constexpr Real kShare = Real(2e-6);
+    constexpr int kFewSweeps = 50;
+    if (world.acts_as_ode() || world.contact_layer > 0) return -kInf;
+    return world.quick_iterations <= kFewSweeps ? kShare * length(world.gravity) * h * h : 0;
+}
+
+}  // namespace
+
 StepInfo step_info(const World& world, Real h)
 {
     StepInfo info;
@@ -241,6 +255,7 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
     int rows = 0, blocks = 0;
     StepInfo info = step_info(world, h);
     if (solver.settling_factor > 1) info.contact_layer = std::max(info.contact_layer, island.kept_depth);
+    info.touching_depth = touching_depth(world, h);  // only sweeps take manifolds
     write_manifolds(work.contacts, info, work.system.joint_contacts);
     emit_rows(info, joints, undo != nullptr, work, rows, blocks);
     work.joints = work.joints.first(std::size_t(blocks));

@@ -3,7 +3,7 @@
 //
 // A quadruped of learners' size (Gymnasium's Ant) under random torques: its hinges stay together. The exact step
 // is linear in the turn of a step, which is up to 0.5 rad here, so hinges open by centimetres; the projection
-// of positions closes them. EPODE_ROBOT_STEPS in the environment: how many steps (scripts/nightly: 100,000).
+// of positions, which dDefaultsRobot switches on, closes them. EPODE_ROBOT_STEPS in the environment: how many steps (scripts/nightly: 100,000).
 #include <algorithm>
 #include <cstdlib>
 
@@ -34,7 +34,7 @@ class Quadruped {
         collide_with_ground(torso_);
         for (int leg = 0; leg < 4; ++leg) add_leg(leg % 2 ? -1 : 1, leg / 2 ? -1 : 1);
         dWorldSetContactSpace(sim_.world, sim_.space);
-        dWorldSetStepProjection(sim_.world, 2);
+        dWorldUseDefaults(sim_.world, dDefaultsRobot);
     }
 
     void step()
