@@ -32,7 +32,7 @@ constexpr Golden kGolden[2][8] = {
      {0x9ddab1337c824688, 0x6897307b43320330},
      {0xce04823d9cfd8a77, 0xc1eefea7890aa431},
      {0x9c029b6c23d309b1, 0x128765de9ec896a2},
-     {0xc5e6a27362720e31, 0x32cd33c9dae5720e},
+     {0x14bd25456457ee8f, 0x241bbd8ffb3e1a7e},
      {0x5c394fcd09668bcf, 0x5b30dc017c4d52f1}},
     {{0x1fba6016a9fc344d, 0x66a0fbe54834251d},
      {0xec296d43939069d4, 0xd3c2efa8a0dd9422},

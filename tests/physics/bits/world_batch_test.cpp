@@ -170,7 +170,7 @@ int large_blocks(Stepper stepper, bool in_one_call)
     Sims sims;
     for (int i = 0; i < 32; ++i) {
         sims.push_back(std::make_unique<Sim>(stepper));
-        build_heap(*sims.back(), i % 3, nullptr);
+        build_pile(*sims.back(), i % 3, nullptr);
     }
     g_large_blocks = 0;
     dSetAllocHandler(count_large);
@@ -195,7 +195,7 @@ TEST_P(WorldBatch, leaves_the_memory_of_a_world_with_a_manager_to_it)
     for (Sims* to : {&sims, &twins})
         for (int i = 0; i < 6; ++i) {
             to->push_back(std::make_unique<Sim>(GetParam()));
-            build_heap(*to->back(), i, nullptr);
+            build_pile(*to->back(), i, nullptr);
         }
     static int taken;
     taken = 0;
@@ -208,7 +208,7 @@ TEST_P(WorldBatch, leaves_the_memory_of_a_world_with_a_manager_to_it)
     functions.free_block = [](void* block, dsizeint) { std::free(block); };
     ASSERT_EQ(dWorldSetStepMemoryManager(sims[0]->world, &functions), 1);
     const dWorldID others[] = {sims[1]->world, sims[2]->world};
-    const int stepper = number_of(GetParam()), substeps = sims[0]->small_steps;
+    const int stepper = number_of(GetParam()), substeps = sims[0]->substeps;
     ASSERT_EQ(dWorldsStep(others, 2, real(kH), stepper, substeps, 1, 2, nullptr), 2);
     ASSERT_EQ(dWorldsStep(worlds_of(twins).data() + 1, 2, real(kH), stepper, substeps, 1, 1, nullptr), 2);
     EXPECT_EQ(taken, 0);
