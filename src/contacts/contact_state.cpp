@@ -55,7 +55,8 @@ void load_manifold(std::uint32_t bits, std::uint32_t changes, Real layer, StateS
     Reading reading{numbers};
     move_numbers(kept, bits, reading);
     const Vec3 n = widen(kept.found.normal);
-    if (!stream.demand(std::fabs(dot(n, n) - 1) < Real(1e-3), "a normal of the state is not of unit length"))
+    constexpr Real kTolerance = Real(1e-4);  // as of bodies (dynamics/body_state.cpp)
+    if (!stream.demand(std::fabs(dot(n, n) - 1) < kTolerance, "a normal of the state is not of unit length"))
         return;
     fill_anchors(kept.found.anchors, count);
     kept.found.changes = changes - (bits & kChanged ? 1 : 0);

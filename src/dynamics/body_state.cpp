@@ -138,6 +138,9 @@ void forget_watch(Body& body)
     body.settling_time = 0;
 }
 
+// Of what a state brings. A contact's normal is that of the state, turned by R: together they stay within what a step allows (1e-3).
+constexpr Real kUnitTolerance = Real(1e-4);
+
 bool is_rotation(const Real* R)
 {
     const Mat3 m = load_mat(R), product = m * transpose(m);
@@ -145,7 +148,7 @@ bool is_rotation(const Real* R)
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column)
             error = std::max(error, std::fabs(product.row(row)[column] - Real(row == column)));
-    return error < Real(1e-3);
+    return error < kUnitTolerance;
 }
 
 struct Orientation {
@@ -156,7 +159,7 @@ bool is_sound(const Orientation& o, std::uint16_t bits, StateStream& stream)
 {
     const Quat unit = load_quat(o.q);
     const Real norm2 = unit.w * unit.w + length2(unit.vec());
-    return stream.demand(std::fabs(norm2 - 1) < Real(1e-3),
+    return stream.demand(std::fabs(norm2 - 1) < kUnitTolerance,
                          "an orientation of the state is no unit quaternion") &&
            (!(bits & kMatrix) || stream.demand(is_rotation(o.R), "a matrix of the state is no rotation"));
 }

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What is no state of this world is refused in words that name the first thing wrong, and nothing changes.
+#include <algorithm>
 #include <cstring>
 
 #include "../effort.h"
@@ -69,6 +70,25 @@ TEST(StateRefusals, name_the_first_difference)
     EXPECT_EQ(buffer, Bytes(state.size() - 1, 7));
     other = state, other.resize(state.size() + 100, 3);
     EXPECT_TRUE(scene.load(other)) << "bytes behind the end do not matter";
+}
+
+// Found by tests/fuzz: such a quaternion, and a contact's normal of as wrong a length, were taken one by one and gave a normal that no
+// step allows.
+TEST(StateRefusals, an_orientation_that_is_nearly_of_unit_length)
+{
+    const Messages messages;
+    Scene scene({.piles = 1});
+    scene.step();
+    dReal q[4];
+    std::copy_n(dBodyGetQuaternion(scene.bodies[0]), 4, q);
+    Bytes state = scene.save();
+    const auto* const bytes = reinterpret_cast<const unsigned char*>(q);
+    const auto at = std::search(state.begin(), state.end(), bytes, bytes + sizeof q);
+    ASSERT_NE(at, state.end());
+    for (dReal& part : q) part *= dReal(1.00025);
+    std::copy_n(reinterpret_cast<const unsigned char*>(q), sizeof q, at);
+    seal(state);
+    expect_refused(scene, state, "no unit quaternion");
 }
 
 void try_in_step(dBodyID body)
