@@ -285,6 +285,7 @@ int dRobotModelGetJacobian(dRobotModelID model, const dReal* positions, int link
 int dRobotModelGetConstraints(dRobotModelID model, const dReal* positions, dReal* residuals, dReal* jacobian,
                               int capacity)
 {
+    model = alive(model);
     CHECK(can_compute(model, positions) && capacity >= 0, kPositions);
     return guarded(__func__, [&] {
         const auto q = doubles_of(positions, model->model.coordinates);

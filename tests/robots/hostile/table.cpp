@@ -60,6 +60,7 @@ constexpr RobotFunction kAll[] = {
     FUNCTION(dRobotModelGetPoses, kModel, kPositions, kPositionCount, kOutput, kCapacity),
     FUNCTION(dRobotModelGetNumVelocities, kModel),
     FUNCTION(dRobotModelGetJacobian, kModel, kPositions, kNumber, kPointOrNone, kOutput, kCapacity),
+    FUNCTION(dRobotModelGetConstraints, kModel, kPositions, kOutputOrNone, kOutputOrNone, kCapacity),
     FUNCTION(dRobotModelGetMassMatrix, kModel, kPositions, kOutput, kCapacity),
     FUNCTION(dRobotModelGetInverseDynamics, kModel, kPositions, kVelocitiesOrNone, kVelocitiesOrNone, kOutput,
              kCapacity),
@@ -90,6 +91,9 @@ constexpr RobotFunction kAll[] = {
              kOutputOrNone),
     FUNCTION(dRobotModelGetSensors, kModel, kOutput, kCapacity),
     FUNCTION(dRobotReadSensor, kRobot, kNumber, kSpaceOrNone, kOutput, kCapacity),
+    FILLS(dDecompositionOptions, dDecompositionOptionsInit, kFewOutput, kStructSize),
+    FUNCTION(dCreateConvexDecomposition, kSpaceOrNone, kCorners, kCornerCount, kTriangles, kTriangleCount,
+             kDecomposition, kOutput, kGeomCapacity, kDecompositionReport),
 };
 
 }  // namespace

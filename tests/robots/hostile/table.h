@@ -5,6 +5,7 @@
 // fails by name where one is missing.
 #pragma once
 
+#include <epode/decomposition.h>
 #include <epode/robot_sensors.h>
 
 #include <span>
@@ -56,6 +57,13 @@ enum class Role {
     kFewOutput,
     kRangeOutput,
     kPositionInOut,
+    kCorners,  // of a tetrahedron
+    kCornerCount,
+    kTriangles,
+    kTriangleCount,
+    kDecomposition,
+    kGeomCapacity,
+    kDecompositionReport,
 };
 
 struct RobotFunction {

@@ -258,6 +258,35 @@ Value Values::camera(int argument, bool hostile)
     return structure(argument, c, which <= 10 ? Trait::kBad : Trait::kStrange);
 }
 
+// Those of a tetrahedron.
+Value Values::triangles(int argument, bool hostile)
+{
+    if (hostile && below(3) == 0) return none();
+    static constexpr unsigned kFaces[12] = {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2},
+                              kWrong[] = {4, 1u << 31, UINT_MAX};
+    Value v = block(argument, kFaces, sizeof kFaces);
+    if (!hostile) return v;
+    static_cast<unsigned*>(v.pointer)[below(12)] = kWrong[below(3)];
+    v.trait = Trait::kBad, v.text = "index beyond the vertices";
+    return v;
+}
+
+Value Values::decomposition(int argument, bool hostile)
+{
+    if (below(3) == 0) return none();
+    dDecompositionOptions o;
+    dDecompositionOptionsInit(&o, sizeof o);
+    o.tolerance = dReal(below(3)) / 10;
+    if (!hostile) return structure(argument, o, Trait::kFine);
+    const int which = below(5);
+    if (which == 0) o.struct_size = 4;
+    if (which == 1) o.max_vertices = 3;
+    if (which == 2) o.max_vertices = INT_MIN;
+    if (which == 3) o.tolerance = kNotANumber;
+    if (which == 4) o.tolerance = -1;
+    return structure(argument, o, which == 3 ? Trait::kNaN : Trait::kBad);
+}
+
 Value Values::sized(int argument, unsigned struct_size, std::size_t size, bool hostile)
 {
     if (hostile && below(3) == 0) return none();
@@ -417,6 +446,22 @@ Value Values::choose(const RobotFunction& function, int argument, bool hostile)
             return camera(argument, hostile);
         case Role::kTouch:
             return sized(argument, sizeof(dRobotTouch), sizeof(dRobotTouch), hostile);
+        case Role::kCorners:
+            return reals(argument, 12, hostile);
+        case Role::kCornerCount:
+            return integer(4, {{-1, kBad}, {0, kBad}, {3, kBad}, {INT_MIN, kBad}}, hostile);
+        case Role::kTriangles:
+            return triangles(argument, hostile);
+        case Role::kTriangleCount:
+            return integer(4, {{-1, kBad}, {0, kBad}, {3, kStrange}, {INT_MIN, kBad}}, hostile);
+        case Role::kDecomposition:
+            return decomposition(argument, hostile);
+        case Role::kGeomCapacity:
+            return integer(8, {{-1, kBad}, {0, kBad}, {257, kBad}, {INT_MIN, kBad}, {1, kStrange}}, hostile);
+        case Role::kDecompositionReport:
+            return below(3)
+                       ? sized(argument, sizeof(dDecompositionReport), sizeof(dDecompositionReport), hostile)
+                       : none();
         case Role::kOutput:
             return output(argument, kOutputSize, hostile);
         case Role::kFewOutput:
@@ -455,8 +500,8 @@ int Values::must_refuse(const RobotFunction& function, const Value* arguments) c
         if (trait == Trait::kBad || trait == Trait::kNaN) return i;
         if (trait != Trait::kNull) continue;
         if (is(role, {Role::kSpaceOrNone, Role::kVelocitiesOrNone, Role::kPointOrNone, Role::kTurnOrNone,
-                      Role::kFrameOrNone, Role::kOptions, Role::kInverseOptions, Role::kResult,
-                      Role::kOutputOrNone}))
+                      Role::kFrameOrNone, Role::kOptions, Role::kInverseOptions, Role::kDecomposition,
+                      Role::kDecompositionReport, Role::kResult, Role::kOutputOrNone}))
             continue;
         if (is(role, {Role::kPositions, Role::kPositionInOut}) && positions_ == 0) continue;
         if (role == Role::kOutput && value_of(Role::kCapacity) == 0) continue;
