@@ -248,7 +248,7 @@ void ExactProblem::fill_rows(const RowSystem& system)
         for (int i = block.first; i < block.first + block.count; ++i) {
             ExactRow& row = rows_[std::size_t(i)];
             row.pair = int(k);
-            row.wide_count = 0;
+            row.wide_count = 0, row.wide = nullptr;
             const RowNumbers& numbers = system.numbers[std::size_t(i)];
             if (!wide)
                 fill_row(system.rows[std::size_t(i)], numbers, block, system, row);
