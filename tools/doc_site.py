@@ -183,7 +183,7 @@ def demo_words(name):
 
 def scene_words():
     """The scenes' descriptions by name."""
-    texts = (file.read_text(encoding="utf-8") for file in sorted((ROOT / "scenes").glob("*.cpp")))
+    texts = (file.read_text(encoding="utf-8") for file in sorted((ROOT / "scenes").rglob("*.cpp")))
     return dict(pair for text in texts for pair in re.findall(r'\.name = "([^"]+)",\s*\.description = "([^"]+)"', text))
 
 
