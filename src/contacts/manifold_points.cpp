@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "geometry/best_four.h"
-#include "simd/components.h"
+#include "simd/pack_algebra.h"
 #include "simd/quad.h"
 
 namespace epode {
@@ -29,7 +29,7 @@ int best_of(int count, Score&& score)
 }
 
 // A point for each lane.
-using Places = Vector3Of<Quad>;
+using Places = Vec3Of<Quad>;
 
 Places places_of(const Pose& pose, const float (&in)[3][kManifoldPoints])
 {

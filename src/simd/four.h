@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Four doubles at a time, whatever Real is: one vector of 32 bytes with AVX2, two of 16 bytes elsewhere. As
-// in simd/vectors.h nothing is fused and sums over lanes have one order, so the bits do not depend on the
+// in simd/pack.h nothing is fused and sums over lanes have one order, so the bits do not depend on the
 // width. Everything is in an unnamed namespace, so that the linker cannot merge what was compiled for
 // different machines.
 #pragma once

@@ -5,7 +5,7 @@
 // of doubles. For short work inside scalar code that needs one answer at once and not eight: the axes of a
 // box, the corners of a face. Lanes never mix and nothing is fused, so the bits are those of the scalar
 // formula. Wider vectors were rejected: kernels for other machines are selected by a call, which costs as
-// much as they save. Everything is in an unnamed namespace for the reason given in simd/vectors.h.
+// much as they save. Everything is in an unnamed namespace for the reason given in simd/pack.h.
 #pragma once
 
 #include <cmath>

@@ -5,7 +5,7 @@
 // edge k, the fourth repeats the third. Of most of them what is known to be in the solid, a point and a ball,
 // shows that they are worth nothing. They are not unit vectors: what is compared with a length is its square
 // with its sign, so that no root is taken. All is in an unnamed namespace for the reason given in
-// simd/vectors.h.
+// simd/pack.h.
 #pragma once
 
 #include "geometry/triangle.h"

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "rows/row.h"
-#include "simd/float_lanes.h"
+#include "simd/lanes.h"
 #include "simd/lanewise.h"
 
 namespace epode {

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "rows/contact_manifold.h"
-#include "simd/float_lanes.h"
+#include "simd/lanes.h"
 
 namespace epode {
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simd/registers.h"
+#include "simd/pack_memory.h"
 
 namespace epode {
 namespace {
@@ -16,7 +16,9 @@ namespace {
 [[gnu::always_inline]] inline Real at_most(Real bound, Real x) { return bound < x ? bound : x; }
 [[gnu::always_inline]] inline Real if_positive(Real test, Real yes, Real no) { return test > 0 ? yes : no; }
 
-// T: Real or Register.
+using NumberPack = TwoVectors<Lanes>;
+
+// T: Real or NumberPack.
 template <typename T>
 struct PassInput {
     T error, speed, cap, rate, max_bias_velocity, effective_mass, C, rigid_mass;
@@ -45,17 +47,17 @@ void begin_pass(const NormalAim<Real>& a, int pass, Real per_hs, PackedRow& row)
 
 void begin_pass(const NormalAim<Lanes>& a, int pass, Real per_hs, BatchPoint& point)
 {
-    for (int part = 0; part < kParts; ++part) {
-        const PassInput<Register> in{load(a.error, part),
-                                     load(a.speed, part),
-                                     load(a.cap, part),
-                                     load(a.rate[pass], part),
-                                     load(a.max_bias_velocity, part),
-                                     load(a.effective_mass[pass], part),
-                                     load(a.C[pass], part),
-                                     load(a.rigid_mass, part)};
-        Register c, C, effective_mass;
-        begin_pass(in, Register{}, all(per_hs), c, C, effective_mass);
+    for (Part<NumberPack> part{}; part.first() < kLanes; ++part) {
+        const PassInput<NumberPack> in{load(a.error, part),
+                                       load(a.speed, part),
+                                       load(a.cap, part),
+                                       load(a.rate[pass], part),
+                                       load(a.max_bias_velocity, part),
+                                       load(a.effective_mass[pass], part),
+                                       load(a.C[pass], part),
+                                       load(a.rigid_mass, part)};
+        NumberPack c, C, effective_mass;
+        begin_pass(in, NumberPack{}, NumberPack(per_hs), c, C, effective_mass);
         store(point.c, part, c), store(point.C, part, C),
             store(point.effective_mass[0], part, effective_mass);
     }

@@ -17,9 +17,9 @@ namespace epode {
 // Where the lanes of a batch come from; lanes without a manifold, points or bodies have ones that do nothing.
 template <typename L>
 struct ContactSourcesOf {
-    const JointManifold* manifold[kLanesOf<L>];
-    const SolverBody *body1[kLanesOf<L>], *body2[kLanesOf<L>];
-    const JointManifoldPoint* point[kManifoldPoints][kLanesOf<L>];
+    const JointManifold* manifold[L::kCount];
+    const SolverBody *body1[L::kCount], *body2[L::kCount];
+    const JointManifoldPoint* point[kManifoldPoints][L::kCount];
 };
 
 // Plain pointers and counts: an inline function of a span, compiled for AVX2, could be the copy that the

@@ -34,7 +34,7 @@ N narrowed(Real x)
 template <typename L>
 void silence_unused(const ContactSourceOf<L>& source, BatchPointOf<L>& point)
 {
-    for (int lane = 0; lane < kLanesOf<L>; ++lane)
+    for (int lane = 0; lane < L::kCount; ++lane)
         if (source.point[lane] < 0)
             for (L& effective_mass : point.effective_mass) effective_mass[lane] = 0;
 }

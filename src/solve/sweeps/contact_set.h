@@ -20,7 +20,7 @@ namespace epode {
 // The points that the lanes of a batch's point came from; -1: none.
 template <typename L>
 struct ContactSourceOf {
-    int point[kLanesOf<L>];
+    int point[L::kCount];
 };
 
 // L: Lanes or BroadLanes.
@@ -58,7 +58,7 @@ class ContactSetOf {
 
   private:
     using Number = typename L::Number;
-    static constexpr int kCount = kLanesOf<L>;
+    static constexpr int kCount = L::kCount;
 
     // The manifolds of a batch, -1: none; and its points.
     struct Choice {

@@ -5,7 +5,7 @@
 // box's own frame: across its faces, and across one of its edges and one of the triangle's, along which two
 // of the triangle's corners are one. Most axes decide nothing: they are tested four at a time in lanes, and
 // few are offered one by one. Support functions, as for polyhedra, take ten times as long. All is in an
-// unnamed namespace for the reason given in simd/vectors.h.
+// unnamed namespace for the reason given in simd/pack.h.
 #pragma once
 
 #include "geometry/triangle.h"

@@ -10,23 +10,18 @@
 // Bounds, not the true extents: a box's part is its lowest corner p and t_i times the edges a_i there, with
 // 0 <= t_i <= 1 and sum t_i (rise of a_i) <= depth of p; a cylinder's the same of its axis and of its discs,
 // seen as rectangles; of a ball the smaller ball about the circle in which it cuts the plane. All is in an
-// unnamed namespace for the reason given in simd/vectors.h.
+// unnamed namespace for the reason given in simd/pack.h.
 #pragma once
 
 #include "geometry/shapes.h"
+#include "simd/pack_algebra.h"
 #include "simd/quad.h"
 
 namespace epode {
 namespace {
 
-struct Quad3 {
-    Quad x, y, z;
-};
+using Quad3 = Vec3Of<Quad>;
 EPODE_LANEWISE Quad3 quad(Vec3 a) { return {quad(a.x), quad(a.y), quad(a.z)}; }
-EPODE_LANEWISE Quad3 operator+(const Quad3& a, const Quad3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-EPODE_LANEWISE Quad3 operator-(const Quad3& a, const Quad3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-EPODE_LANEWISE Quad3 operator*(const Quad& s, const Quad3& a) { return {s * a.x, s * a.y, s * a.z}; }
-EPODE_LANEWISE Quad dot(const Quad3& a, const Quad3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 struct FieldPlanes {
     Quad3 v;
@@ -166,19 +161,13 @@ class SubPlaneExtent<Cylinder> {
         part.edge(frame_.inward((r + r) * up), if_less(least, size, drop + drop, quad(0)));
         // Half the chord at the top of the part.
         const Quad width = square_root(high * (r + r - high));
-        const FieldExtents sideways = frame_.inward(cross_axis(up));
+        const FieldExtents sideways = frame_.inward(cross(quad(axis_), up));
         FieldExtents reach = part.reach();
         for (int w = 0; w < 3; ++w) reach.along[w] = reach.along[w] + width * magnitude(sideways.along[w]);
         return sinking & frame_.over(reach);
     }
 
   private:
-    EPODE_LANEWISE Quad3 cross_axis(const Quad3& u) const
-    {
-        const Quad3 a = quad(axis_);
-        return {a.y * u.z - a.z * u.y, a.z * u.x - a.x * u.z, a.x * u.y - a.y * u.x};
-    }
-
     const FieldFrame& frame_;
     Real radius_;
     Vec3 middle_, axis_, half_, aside_;

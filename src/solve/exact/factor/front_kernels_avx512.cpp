@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The front kernels compiled for AVX-512, eight lanes per vector (simd/vectors.h).
+// The front kernels compiled for AVX-512, eight lanes per vector (simd/pack.h).
 #if defined(__x86_64__)
 #define EPODE_VECTOR_LANES 8
 #include "solve/exact/factor/front_kernels.inc"
