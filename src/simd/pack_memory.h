@@ -141,6 +141,15 @@ EPODE_LANEWISE Vec4Of<P> gather4(const At& at)
     }
 }
 
+// The four numbers N, `offset` bytes into the object of each lane.
+template <typename P, typename N, typename T>
+EPODE_LANEWISE Vec4Of<P> gather_members(const T* const* objects, std::size_t offset)
+{
+    return gather4<P>([=](int lane) EPODE_INLINE_LAMBDA {
+        return reinterpret_cast<const N*>(reinterpret_cast<const char*>(objects[lane]) + offset);
+    });
+}
+
 template <typename P, typename At>
 EPODE_LANEWISE Vec3Of<P> gather3(const At& at)
 {
