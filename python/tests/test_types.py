@@ -41,6 +41,24 @@ def test_a_type_checker_finds_wrong_use(tmp_path):
     assert result.stdout.count("error:") >= 4, result.stdout
 
 
+# What stubtest says of every extension module by nanobind: its functions and classes are of types of their own. A Value that is
+# only read may be set to Never, which stubtest takes for setting.
+NATURE = re.compile(r"is not a function|metaclass differs|disjoint base|__init__ is inconsistent, stub does not have \*args|"
+                    r"epode\._handle\.Value\.|Body\.joint_count is read-only|epode\._c\.FloatArray |\[mypy\] section")
+
+
+@needs_mypy
+def test_stubs_are_what_there_is_at_run_time(tmp_path):
+    """Every name, and whether it may be set."""
+    empty = tmp_path / "mypy.ini"
+    empty.write_text("[mypy]\n")
+    result = subprocess.run([sys.executable, "-m", "mypy.stubtest", "epode", "--concise", "--mypy-config-file", str(empty)],
+                            capture_output=True, text=True, cwd=tmp_path)
+    said = (result.stdout + result.stderr).splitlines()
+    assert len(said) > 100, said  # it has looked
+    assert [line for line in said if not NATURE.search(line)] == []
+
+
 def stub():
     return ast.parse(resources.files("epode").joinpath("_c.pyi").read_text())
 

@@ -16,4 +16,5 @@ not keep its bodies; a joint group keeps its joints. What the library refuses ra
 from ._base import *  # noqa: F403
 from ._dynamics import *  # noqa: F403
 from ._geoms import *  # noqa: F403
+from ._parameters import *  # noqa: F403
 from ._spaces import *  # noqa: F403

@@ -22,11 +22,6 @@ ContactMu2, ContactFDir1, ContactBounce, ContactSoftERP = c.dContactMu2, c.dCont
 ContactSoftCFM, ContactMotion1, ContactMotion2 = c.dContactSoftCFM, c.dContactMotion1, c.dContactMotion2
 ContactSlip1, ContactSlip2, ContactApprox0 = c.dContactSlip1, c.dContactSlip2, c.dContactApprox0
 ContactApprox1_1, ContactApprox1_2, ContactApprox1 = c.dContactApprox1_1, c.dContactApprox1_2, c.dContactApprox1
-ParamGroup = c.dParamGroup
-for _name in ("LoStop", "HiStop", "Vel", "FMax", "FudgeFactor", "Bounce", "CFM", "StopERP", "StopCFM", "SuspensionERP", "SuspensionCFM"):
-    _number: int = getattr(c, "dParam" + _name)
-    globals().update({f"Param{_name}": _number, f"Param{_name}2": _number + ParamGroup, f"Param{_name}3": _number + 2 * ParamGroup,
-                      f"param{_name}": _number})
 
 Vector = tuple[float, float, float]
 _geoms: weakref.WeakValueDictionary[int, GeomObject] = weakref.WeakValueDictionary()

@@ -8,8 +8,9 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from .. import c
-from ._base import AMotorUser, ContactBounce, Infinity, ParamGroup, Vector, environment
+from ._base import AMotorUser, ContactBounce, Infinity, Vector, environment
 from ._base import _bodies, _getter, _known, _Owner, _setter, _tuple, _whole_setter
+from ._parameters import ParamGroup
 
 if TYPE_CHECKING:
     from ._geoms import GeomObject
