@@ -3,6 +3,7 @@
 #include "step/island/manifold_rows.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tasks/prefetched.h"
 
@@ -98,6 +99,18 @@ void for_points(const IslandWork& work, Visit&& visit)
             visit(*edge->manifold, edge->manifold->points[i], work.system.blocks[block++]);
 }
 
+bool is_finite(Float3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+// At absurd speeds (1e10 m/s) rounding leaves impulses below 0, and floats end before a Real does: no contact pulls, and the next
+// step does not begin with what is not finite.
+void keep_impulses(Real normal, Vec3 friction, ManifoldPoint& point)
+{
+    point.normal_impulse = float(normal), point.friction_impulse = narrow(friction);
+    const bool is_sound =
+        point.normal_impulse >= 0 && std::isfinite(point.normal_impulse) && is_finite(point.friction_impulse);
+    if (!is_sound) point.normal_impulse = 0, point.friction_impulse = {};
+}
+
 }  // namespace
 
 void place_manifolds(const Tasks& tasks, const Island& island)
@@ -167,9 +180,8 @@ void store_manifold_impulses(const IslandWork& work)
             else
                 couple += p * row.ang1;
         }
-        point.normal_impulse = float(work.system.numbers[std::size_t(block.first)].p);
-        point.friction_impulse = narrow(friction);
-        manifold.rolling_impulse = narrow(couple);
+        keep_impulses(work.system.numbers[std::size_t(block.first)].p, friction, point);
+        manifold.rolling_impulse = is_finite(narrow(couple)) ? narrow(couple) : Float3{};
     });
 }
 

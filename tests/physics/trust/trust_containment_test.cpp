@@ -4,6 +4,7 @@
 // What cannot be computed is contained: a body pushed beyond all numbers, a joint torn to absurd distances, a
 // body stepped at absurd speed. Its island keeps finite numbers and the report counts it; every other island
 // ends with the bits it would have without the rogue.
+#include "managed.h"
 #include "scenes.h"
 
 namespace epode::physics {
@@ -124,6 +125,32 @@ TEST_P(TrustContainment, a_body_far_away_does_not_disturb_collision)
     for (int i = 0; i < 20; ++i) ASSERT_EQ(sim.step(0.01), 1);
     EXPECT_TRUE(finite_state(sim));
     EXPECT_NEAR(position(sim.bodies[0]).z, 0.25, 0.02);
+}
+
+// Found by tests/robots/hostile: from 1e10 m/s on the exact stepper left world-managed contacts with normal forces below 0, and the
+// iterating one with infinite ones, with which the next step began.
+TEST_P(TrustContainment, no_contact_pulls_at_any_speed)
+{
+    for (const double speed :
+         {1e3, 1e10, kSingle ? 1e14 : 1e20, kSingle ? 1e16 : 1e40, kSingle ? 1e17 : 1e90})
+        for (const V3 direction : {V3{-1, 0, 0}, V3{0, -1, 0}, V3{0, 0, -1}}) {
+            Managed s(GetParam());
+            s.ground();
+            const dBodyID rogue = s.box({0, 0, 0.48}, {1, 1, 1}, 1);
+            s.box({0.1, 0, 1.45}, {1, 1, 1}, 1);
+            s.run(3);
+            velocity(rogue, speed * direction);
+            for (int i = 0; i < 3; ++i) {
+                ASSERT_EQ(s.advance(0.005), 1);
+                ASSERT_TRUE(finite_state(s)) << speed;
+                for (const dWorldContact& contact : s.all_contacts()) {
+                    ASSERT_GE(contact.normal_force, 0) << speed;
+                    ASSERT_TRUE(std::isfinite(contact.normal_force)) << speed;
+                    for (int k = 0; k < 3; ++k)
+                        ASSERT_TRUE(std::isfinite(contact.friction_force[k])) << speed;
+                }
+            }
+        }
 }
 
 INSTANTIATE_TEST_SUITE_P(Steppers, TrustContainment, testing::ValuesIn(kSteppers), case_name);
