@@ -15,9 +15,15 @@ namespace {
 
 constexpr size_t kMaxApart = 100;  // links that a link is kept from touching
 
+// Older files have values as attributes.
+std::string value_of(const Element& element)
+{
+    return element.has("value") ? element.text("value") : element.node.text().get();
+}
+
 bool is_true(const Element& element)
 {
-    const std::string text = element.node.text().get();
+    const std::string text = value_of(element);
     return text == "true" || text == "1" || text == "True";
 }
 
@@ -49,12 +55,19 @@ class Gazebo {
             "<" + child.name() + "> in <gazebo>" + (reference.empty() ? "" : " of '" + reference + "'"));
     }
 
-    // False and an error where the text is no number.
+    // False and a note where there is something else: what a simulator may ignore refuses no robot.
+    bool numbers(const Element& element, size_t count, std::vector<double>& out)
+    {
+        if (parse_numbers(value_of(element), out) && out.size() == count) return true;
+        reading_.note(
+            Note::kIgnored, element,
+            "<" + element.name() + "> in <gazebo>: finite numbers are wanted, " + std::to_string(count));
+        return false;
+    }
     bool number(const Element& element, double& out)
     {
         std::vector<double> values;
-        const std::string text = element.node.text().get();
-        if (!reading_.numbers(element, text.empty() ? "none" : text, "value", 1, 1, values)) return false;
+        if (!numbers(element, 1, values)) return false;
         out = values[0];
         return true;
     }
@@ -105,7 +118,7 @@ class Gazebo {
     {
         double value = 0;
         if (!number(child, value)) return;
-        if (value < 0) return reading_.error(child, "link '" + link.name + "' has negative friction");
+        if (value < 0) return ignore(child, link.name);
         const bool is_second = child.name() == "mu2";
         for (Shape& shape : link.shapes) {
             if (!is_second) shape.friction = value;
@@ -167,7 +180,7 @@ class Gazebo {
         return type == "ray" || type == "gpu_ray" || type == "lidar" || type == "gpu_lidar";
     }
 
-    // Of a scan, horizontal times vertical; a broken number is an error and one ray.
+    // Of a scan, horizontal times vertical; a broken number counts as one.
     double rays_of(const Element& sensor)
     {
         double rays = 1;
@@ -184,7 +197,7 @@ class Gazebo {
     {
         std::vector<double> p;
         const Element pose = sensor.child("pose");
-        if (!pose || !reading_.numbers(pose, pose.node.text().get(), "pose", 6, 6, p)) return {};
+        if (!pose || !numbers(pose, 6, p)) return {};
         return {{p[0], p[1], p[2]}, turn_of_rpy({p[3], p[4], p[5]})};
     }
 

@@ -50,9 +50,14 @@ TEST(Gazebo, FrictionIsThatOfTheFirstDirection)
     const RobotModel two = read("<gazebo reference='one'><mu1>0.3</mu1><mu2>0.6</mu2><kp>1e6</kp></gazebo>");
     EXPECT_TRUE(has_note(two, Note::kApproximated, "both directions"));
     EXPECT_TRUE(has_note(two, Note::kApproximated, "link kp: contacts are rigid"));
-    EXPECT_TRUE(read("<gazebo reference='one'><mu1>-1</mu1></gazebo>").has_errors());
-    EXPECT_TRUE(read("<gazebo reference='one'><mu1>slippery</mu1></gazebo>").has_errors());
-    EXPECT_TRUE(read("<gazebo reference='one'><mu1/></gazebo>").has_errors());
+    EXPECT_EQ(read("<gazebo reference='one'><mu1 value='0.4'/></gazebo>").links[1].shapes[0].friction, 0.4);
+    for (const char* broken :
+         {"<mu1>-1</mu1>", "<mu1>slippery</mu1>", "<mu1/>", "<mu1>1 2</mu1>", "<mu1>nan</mu1>"}) {
+        const RobotModel model = read(std::string("<gazebo reference='one'>") + broken + "</gazebo>");
+        EXPECT_FALSE(model.has_errors()) << broken;
+        EXPECT_TRUE(has_note(model, Note::kIgnored, "<mu1> in <gazebo>")) << broken;
+        EXPECT_EQ(model.links[1].shapes[0].friction, 1) << broken;
+    }
 }
 
 // The upper box is weightless: the lower falls by g t^2 / 2 and the upper stays, to the step's first order.
@@ -154,8 +159,10 @@ TEST(Gazebo, WhatIsNotReadIsReportedByName)
         EXPECT_TRUE(has_note(model, Note::kIgnored, text)) << text;
     EXPECT_EQ(model.report.size(), 5u);
     EXPECT_EQ(model.sensors.size(), 2u);
-    EXPECT_TRUE(read("<gazebo reference='one'><sensor name='s' type='imu'><pose>1 2</pose></sensor></gazebo>")
-                    .has_errors());
+    const RobotModel askew =
+        read("<gazebo reference='one'><sensor name='s' type='imu'><pose>1 2</pose></sensor></gazebo>");
+    EXPECT_FALSE(askew.has_errors());
+    EXPECT_TRUE(has_note(askew, Note::kIgnored, "<pose> in <gazebo>"));
 }
 
 TEST(Gazebo, WeightlessLinksAreWrittenInBothFormats)
