@@ -18,6 +18,7 @@ constexpr double kShare = 0.025;  // of the longest side, the tolerance without 
 constexpr double kThin = 1e-9;    // of the longest side
 constexpr double kCells = 1.5;    // to a tolerance
 constexpr int kLeastCells = 48;   // to the longest side
+constexpr int kRounds = 4;        // of cutting and merging
 constexpr double kPlate = 0.01;   // of the tolerance: half the thickness that a part without any gets
 
 struct Part {
@@ -69,8 +70,7 @@ class Decomposer {
         whole.triangles.resize(mesh_.triangles.size());
         std::iota(whole.triangles.begin(), whole.triangles.end(), 0u);
         add(whole);
-        while (int(parts_.size()) < 2 * settings_.max_parts && cut_worst()) continue;
-        merge();
+        for (int round = 0; round < kRounds && cut_all(); ++round) merge();
         return finish();
     }
 
@@ -102,6 +102,14 @@ class Decomposer {
                     out.push_back(moved);
                 }
         return out;
+    }
+
+    // Merging leaves numbers free for further cuts. False: there was nothing to cut.
+    bool cut_all()
+    {
+        bool has_cut = false;
+        while (int(parts_.size()) < 2 * settings_.max_parts && cut_worst()) has_cut = true;
+        return has_cut;
     }
 
     // False: all are within the tolerance, or too small to cut.
@@ -139,6 +147,7 @@ class Decomposer {
         out.hull = hull_of(points, 0);
         out.points = out.hull.corners();
         out.concavity = concavity_of(out.hull, grid_, enough);
+        out.is_final = true;
         return out;
     }
 
@@ -182,6 +191,7 @@ class Decomposer {
 
     void merge()
     {
+        pairs_.clear();
         weigh_all(true);
         while (merge_one()) continue;
         if (int(parts_.size()) <= settings_.max_parts) return;
