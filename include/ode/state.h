@@ -39,7 +39,7 @@ extern "C" {
 ODE_API size_t dWorldGetStateSize(dWorldID world);
 
 /** Write the state to buffer, as many bytes as dWorldGetStateSize returns; size is how many the buffer has.
-    The format is that of one version of it (states of others are refused by name), little endian, with a
+    The format has a version (that before is read, others are refused by name), is little endian, and has a
     checksum. Returns 1. Refused: a buffer that is too small. [ours] */
 ODE_API int dWorldGetState(dWorldID world, void* buffer, size_t size);
 

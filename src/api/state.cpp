@@ -4,7 +4,6 @@
 // States of worlds, as C functions.
 #include "ode/state.h"
 
-#include <climits>
 #include <cstdio>
 
 #include "base/check.h"
@@ -18,20 +17,9 @@ using namespace epode;
 
 namespace {
 
-constexpr std::size_t kMaxBytes = INT_MAX;  // lists count in ints
-
 std::span<const std::byte> bytes(const void* data, std::size_t size)
 {
     return {static_cast<const std::byte*>(data), size};
-}
-
-// May the geoms of the world be moved?
-bool is_unlocked(const World& world)
-{
-    for (const Body& body : world.bodies)
-        if (in_locked_space(body)) return false;
-    const Space* space = world.step_state ? world.step_state->world_contacts.live_space() : nullptr;
-    return !space || space->locks == 0;
 }
 
 constexpr int kMaxHistory = 100000;  // frames
@@ -56,9 +44,8 @@ size_t dWorldGetStateSize(dWorldID w)
     const FloatEnvironment floats;
     WORLD_OR(0);
     STATE_OR(0);
-    std::size_t size = 0;
-    EPODE_USER_SAY(state.prepare() && state.measure(size), kOutOfMemory, 0);
-    return size;
+    EPODE_USER_SAY(state.prepare() && state.write(Seal::kUnsealed), kOutOfMemory, 0);
+    return state.written().size();
 }
 
 int dWorldGetState(dWorldID w, void* buffer, size_t size)
@@ -67,11 +54,9 @@ int dWorldGetState(dWorldID w, void* buffer, size_t size)
     WORLD_OR(0);
     EPODE_USER(buffer, 0);
     STATE_OR(0);
-    std::size_t needed = 0;
-    EPODE_USER_SAY(state.prepare() && state.measure(needed), kOutOfMemory, 0);
-    EPODE_USER_SAY(needed <= size && needed <= kMaxBytes,
-                   "the buffer is smaller than dWorldGetStateSize() says", 0);
-    state.write(static_cast<std::byte*>(buffer));
+    EPODE_USER_SAY(state.prepare() && state.write(Seal::kUnsealed), kOutOfMemory, 0);
+    EPODE_USER_SAY(state.written().size() <= size, "the buffer is smaller than dWorldGetStateSize() says", 0);
+    copy_sealed(buffer, state.written());
     return 1;
 }
 
@@ -80,9 +65,9 @@ int dWorldSetState(dWorldID w, const void* buffer, size_t size)
     const FloatEnvironment floats;
     WORLD_OR(0);
     EPODE_USER(buffer, 0);
-    EPODE_USER_SAY(is_unlocked(*world), "Invalid operation for locked space", 0);
     STATE_OR(0);
     EPODE_USER_SAY(state.prepare(), kOutOfMemory, 0);
+    EPODE_USER_SAY(!state.is_locked(), EPODE_LOCKED_TEXT, 0);
     const char* const wrong = state.set(static_cast<const std::byte*>(buffer), size);
     EPODE_USER_SAY(!wrong, wrong, 0);
     return 1;
@@ -94,15 +79,11 @@ size_t dWorldGetStateDelta(dWorldID w, const void* base, size_t base_size, void*
     WORLD_OR(0);
     EPODE_USER(base && (out || capacity == 0), 0);
     STATE_OR(0);
-    std::size_t size = 0;
-    EPODE_USER_SAY(state.prepare() && state.measure(size), kOutOfMemory, 0);
+    EPODE_USER_SAY(state.prepare() && state.write(Seal::kSealed), kOutOfMemory, 0);
     const char* const wrong = state.check(static_cast<const std::byte*>(base), base_size);
     EPODE_USER_SAY(!wrong, wrong, 0);
-    Array<std::uint32_t> whole, delta;
-    const bool written = size <= kMaxBytes && whole.resize(int(size / 4));
-    EPODE_USER_SAY(written, kOutOfMemory, 0);
-    state.write(reinterpret_cast<std::byte*>(whole.data()));
-    EPODE_USER_SAY(write_delta(bytes(base, base_size), bytes(whole.data(), size), delta), kOutOfMemory, 0);
+    Array<std::uint32_t> delta;
+    EPODE_USER_SAY(write_delta(bytes(base, base_size), state.written(), delta), kOutOfMemory, 0);
     const std::size_t needed = 4 * std::size_t(delta.size());
     if (out && needed <= capacity) std::memcpy(out, delta.data(), needed);
     return needed;
@@ -113,7 +94,6 @@ int dWorldSetStateDelta(dWorldID w, const void* base, size_t base_size, const vo
     const FloatEnvironment floats;
     WORLD_OR(0);
     EPODE_USER(base && delta, 0);
-    EPODE_USER_SAY(is_unlocked(*world), "Invalid operation for locked space", 0);
     Array<std::uint32_t> whole;
     char text[200];
     const char* wrong =
@@ -121,6 +101,7 @@ int dWorldSetStateDelta(dWorldID w, const void* base, size_t base_size, const vo
     EPODE_USER_SAY(!wrong, wrong, 0);
     STATE_OR(0);
     EPODE_USER_SAY(state.prepare(), kOutOfMemory, 0);
+    EPODE_USER_SAY(!state.is_locked(), EPODE_LOCKED_TEXT, 0);
     wrong = state.set(reinterpret_cast<const std::byte*>(whole.data()), 4 * std::size_t(whole.size()));
     EPODE_USER_SAY(!wrong, wrong, 0);
     return 1;
@@ -170,7 +151,9 @@ int dWorldRollBack(dWorldID w, int frames)
     std::snprintf(text, sizeof text, "cannot take back %d steps: the history has 0 to %d", frames,
                   history->available());
     EPODE_USER_SAY(frames >= 0 && frames <= history->available(), text, 0);
-    EPODE_USER_SAY(is_unlocked(*world), "Invalid operation for locked space", 0);
+    WorldState& state = archive_of(*world)->state;  // is there if a history is
+    EPODE_USER_SAY(state.prepare(), kOutOfMemory, 0);
+    EPODE_USER_SAY(!state.is_locked(), EPODE_LOCKED_TEXT, 0);
     const char* const wrong = history->roll_back(frames);
     EPODE_USER_SAY(!wrong, wrong, 0);
     return 1;

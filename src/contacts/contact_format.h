@@ -2,12 +2,20 @@
 // Copyright (c) 2026 The Epode authors
 //
 // How a pair of geoms and its manifolds look in a state of the world:
-//   n1, n2                  numbers of the geoms, 16 bits each; a word each where there are more
-//   bits                    PairBit, then ManifoldBit of each manifold
-//   separating axis         a word, if known
-//   of each manifold        offset, turn, normal, anchors and separations when it was found, then what is not
-//                           usual: couple against rolling, layer; present separations; impulses
-// All numbers are floats as they lie in memory.
+//   n1, n2            numbers of the geoms, 16 bits each; a word each where there are more
+//   bits              PairBit, then ManifoldBit of two manifolds; those of a third in a word of their own
+//   separating axis   a word, if known
+//   of each manifold  offset, turn, normal when it was found; then its points, side by side:
+//                     a1    anchors in the frame of g1
+//                     a2    anchors in the frame of g2: where a1 leads to, give or take some last places
+//                     separation then, separation now
+//                     couple against rolling, layer: where they are not usual
+//                     impulses of the points that have any
+// Both anchors of a point are one place p of the world, seen by two geoms, so that up to rounding
+//   a1 = R1' (p - p1),   a2 = R2' (p - p2) = turn' (a1 - offset),     turn = R1' R2, offset = R1' (p2 - p1)
+// What is kept of a2 is how many floats lie between it and this formula, in 8 or 16 bits; where one of them is
+// farther away, all as they are. All other numbers are floats as they lie in memory. No bit is lost.
+// Format 3 had all of a2, impulses of all points or of none, and one word of bits.
 #pragma once
 
 #include <cstddef>
@@ -18,118 +26,43 @@
 
 namespace epode {
 
-// Of a pair; the bits of its manifolds follow, kManifoldBits each.
+// Of a pair.
 enum PairBit : std::uint32_t { kManifolds = 3, kWanted = 4, kTouched = 8, kRests = 16, kSeparatingAxis = 32 };
-enum ManifoldBit : std::uint32_t { kPoints = 7, kChanged = 8, kRoll = 16, kLayer = 32, kIdle = 64 };
-inline constexpr int kFirstManifold = 8, kManifoldBits = 7;
-static_assert(kFirstManifold + kSurfaceManifolds * kManifoldBits <= 32);
+// Of a manifold.
+enum ManifoldBit : std::uint32_t {
+    kPoints = 7,
+    kChanged = 8,
+    kRoll = 16,
+    kLayer = 32,
+    kFirstImpulse = 64,  // of the first point; those of the others follow
+    kBytes = 1 << 10,    // a2 takes a byte for each number
+    kShorts = 1 << 11    // or two; else four
+};
+inline constexpr int kFirstManifold = 8, kManifoldBits = 12, kManifoldsInWord = 2;
+static_assert(kFirstManifold + kManifoldsInWord * kManifoldBits == 32 &&
+              kSurfaceManifolds <= kManifoldsInWord + 2);
 
 enum ListBit : std::uint32_t { kFewActive = 1, kUnfinished = 2, kSettled = 4 };
 inline constexpr std::size_t kPairBytes = 8, kManifoldBytes = 80, kEventBytes = 12;  // at least
 inline constexpr int kNarrowGeoms = 1 << 16;  // up to so many, the numbers of two geoms share a word
 
-inline std::uint32_t bits_of_manifold(std::uint32_t pair_bits, int i)
-{
-    return pair_bits >> (kFirstManifold + i * kManifoldBits) & ((1u << kManifoldBits) - 1);
-}
+// Bytes of a pair with its manifolds, at most.
+inline constexpr std::size_t kMaxManifoldBytes = sizeof(float) * (15 + 3 + 1 + 12 * kManifoldPoints);
+inline constexpr std::size_t kMaxPairBytes =
+    5 * sizeof(std::uint32_t) + kSurfaceManifolds * kMaxManifoldBytes;
 
-inline bool is_zero(Float3 v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+// Writes the numbers of a manifold and returns its bits; kChanged is the caller's. `layer`: the usual one.
+std::uint32_t write_manifold(const CachedManifold& kept, float layer, std::byte*& to);
 
-// Where numbers go to, or come from, one after the other.
-struct Writing {
-    std::byte* at;
-    template <int n>
-    void operator()(const float* numbers)
-    {
-        std::memcpy(at, numbers, n * sizeof(float));
-        at += n * sizeof(float);
-    }
-};
-struct Reading {
-    const std::byte* at;
-    template <int n>
-    void operator()(float* numbers)
-    {
-        std::memcpy(numbers, at, n * sizeof(float));
-        at += n * sizeof(float);
-    }
-};
+// Bytes that a manifold of these bits has.
+std::size_t size_of_manifold(std::uint32_t bits);
+// Reads them; what the bits do not announce becomes as usual.
+void read_manifold(const std::byte* from, std::uint32_t bits, float layer, CachedManifold& kept);
 
-// All numbers of a manifold of so many points; of a constant number, since most of them are copied a few at
-// once. Where no point has an impulse there are none.
-template <int count, typename Kept, typename Move>
-void move_points(Kept& kept, std::uint32_t bits, Move& move)
-{
-    static_assert(offsetof(ManifoldFinding, anchors) - offsetof(ManifoldFinding, offset) ==
-                  15 * sizeof(float));
-    static_assert(offsetof(ManifoldPoint, friction_impulse) - offsetof(ManifoldPoint, normal_impulse) ==
-                  sizeof(float));
-    auto& found = kept.found;
-    auto& points = kept.manifold.points;
-    move.template operator()<15>(&found.offset.x);
-    for (int k = 0; k < 3; ++k)
-        move.template operator()<count>(found.anchors.a1[k]),
-            move.template operator()<count>(found.anchors.a2[k]);
-    move.template operator()<count>(found.anchors.separation);
-    if (bits & kRoll) move.template operator()<3>(&kept.manifold.rolling_impulse.x);
-    if (bits & kLayer) move.template operator()<1>(&kept.layer);
-    for (int i = 0; i < count; ++i) move.template operator()<1>(&points[i].separation);
-    if (bits & kIdle) return;
-    for (int i = 0; i < count; ++i) move.template operator()<4>(&points[i].normal_impulse);
-}
-
-template <typename Kept, typename Move>
-void move_numbers(Kept& kept, std::uint32_t bits, Move& move)
-{
-    switch (bits & kPoints) {
-        case 1:
-            return move_points<1>(kept, bits, move);
-        case 2:
-            return move_points<2>(kept, bits, move);
-        case 3:
-            return move_points<3>(kept, bits, move);
-        default:
-            return move_points<4>(kept, bits, move);
-    }
-}
-
-// Bytes of these.
-inline std::size_t size_of_manifold(std::uint32_t bits)
-{
-    std::size_t numbers = 15 + (bits & kIdle ? 8 : 12) * std::size_t(bits & kPoints);
-    if (bits & kRoll) numbers += 3;
-    if (bits & kLayer) numbers += 1;
-    return numbers * sizeof(float);
-}
-
-inline std::size_t size_of_pair(std::uint32_t bits, bool narrow)
-{
-    std::size_t size = narrow ? 8 : 12;
-    if (bits & kSeparatingAxis) size += sizeof(std::uint32_t);
-    for (int i = 0; i < int(bits & kManifolds); ++i) size += size_of_manifold(bits_of_manifold(bits, i));
-    return size;
-}
-
-// To the last bit: -0 is something.
-inline bool is_idle(const ContactManifold& manifold)
-{
-    std::uint32_t any = 0;
-    for (int i = 0; i < manifold.count; ++i) {
-        std::uint32_t bits[4];
-        std::memcpy(bits, &manifold.points[i].normal_impulse, sizeof bits);
-        any |= bits[0] | bits[1] | bits[2] | bits[3];
-    }
-    return any == 0;
-}
-
-inline std::uint32_t bits_of(std::uint32_t changes, float layer, const CachedManifold& kept)
-{
-    std::uint32_t bits = std::uint32_t(kept.manifold.count);
-    if (kept.found.changes != changes) bits |= kChanged;
-    if (!is_zero(kept.manifold.rolling_impulse)) bits |= kRoll;
-    if (kept.layer != layer) bits |= kLayer;
-    if (is_idle(kept.manifold)) bits |= kIdle;
-    return bits;
-}
+// The same of format 3, which has these bits.
+inline constexpr std::uint32_t kIdle3 = 64;
+inline constexpr int kManifoldBits3 = 7;
+std::size_t size_of_manifold_3(std::uint32_t bits);
+void read_manifold_3(const std::byte* from, std::uint32_t bits, float layer, CachedManifold& kept);
 
 }  // namespace epode

@@ -15,7 +15,6 @@
 #include "collide/collide.h"
 #include "contacts/contact_format.h"
 #include "contacts/contact_state.h"
-#include "contacts/manifold_points.h"
 #include "contacts/material.h"
 #include "contacts/pair_rules.h"
 
@@ -29,146 +28,180 @@ int number_of(dGeomID id, const SpaceGeoms& geoms)
     return geom ? geoms.find(*geom) : -1;
 }
 
-// Columns behind the last point repeat it.
-void fill_anchors(ContactAnchors& anchors, int count)
-{
-    for (int i = count; i < kManifoldPoints; ++i) {
-        for (int k = 0; k < 3; ++k)
-            anchors.a1[k][i] = anchors.a1[k][count - 1], anchors.a2[k][i] = anchors.a2[k][count - 1];
-        anchors.separation[i] = anchors.separation[count - 1];
-    }
-}
-
 // `changes`: of both geoms, now.
-void load_manifold(std::uint32_t bits, std::uint32_t changes, Real layer, StateStream& stream,
+void load_manifold(std::uint32_t bits, std::uint32_t changes, float layer, StateStream& stream,
                    CachedManifold& kept)
 {
     const int count = int(bits & kPoints);
     if (!stream.demand(count >= 1 && count <= kManifoldPoints, "a contact with too many points")) return;
-    const std::byte* const numbers = stream.block(size_of_manifold(bits));
+    const bool old = stream.format() < 4;
+    const std::byte* const numbers = stream.block(old ? size_of_manifold_3(bits) : size_of_manifold(bits));
     if (!numbers) return;
-    kept.layer = float(layer);
-    ContactManifold& manifold = kept.manifold;
-    manifold.count = count, manifold.normal = manifold.surface_velocity = manifold.rolling_impulse = {};
-    for (int i = 0; (bits & kIdle) && i < count; ++i)
-        manifold.points[i].normal_impulse = 0, manifold.points[i].friction_impulse = {};
-    Reading reading{numbers};
-    move_numbers(kept, bits, reading);
+    old ? read_manifold_3(numbers, bits, layer, kept) : read_manifold(numbers, bits, layer, kept);
     const Vec3 n = widen(kept.found.normal);
     constexpr Real kTolerance = Real(1e-4);  // as of bodies (dynamics/body_state.cpp)
     if (!stream.demand(std::fabs(dot(n, n) - 1) < kTolerance, "a normal of the state is not of unit length"))
         return;
-    fill_anchors(kept.found.anchors, count);
     kept.found.changes = changes - (bits & kChanged ? 1 : 0);
 }
+
+// The bits of the manifolds of a pair: from its word, and from another one if it has many.
+class ManifoldBits {
+  public:
+    ManifoldBits(std::uint32_t pair_bits, StateStream& stream) : bits_(pair_bits)
+    {
+        if (stream.format() < 4)
+            width_ = kManifoldBits3;
+        else if (int(pair_bits & kManifolds) > kManifoldsInWord)
+            more_ = stream.word(0);
+    }
+    std::uint32_t of(int i) const
+    {
+        const std::uint32_t mask = (1u << width_) - 1;
+        if (width_ == kManifoldBits && i >= kManifoldsInWord) return more_ & mask;
+        return bits_ >> (kFirstManifold + i * width_) & mask;
+    }
+
+  private:
+    std::uint32_t bits_, more_ = 0;
+    int width_ = kManifoldBits;
+};
 
 }  // namespace
 
 // What the pairs of a geom want to know of it, found once for all of them.
 bool ContactWorld::describe_geoms(const World& world, const SpaceGeoms& geoms)
 {
-    if (!described_.resize(geoms.count())) return false;
-    for (int i = 0; i < geoms.count(); ++i) {
+    constexpr int kAhead = 8;
+    const int count = geoms.count();
+    if (!described_.resize(count)) return false;
+    for (int i = 0; i < count; ++i) {
+        if (i + kAhead < count) prefetch<2>(&geoms[i + kAhead]);
         const Geom& geom = geoms[i];
         const Body* const body = body_of(geom);
         const bool meets = can_push(geom) && !is_space(geom) && (!body || body->world == &world);
-        described_.data()[i] = {
-            body,          changes_of(geom), meets, is_surface(geom), geom.type->number == dTriMeshClass,
-            is_solid(geom)};
+        described_.data()[i] = {body,
+                                to_handle(&geom),
+                                geom.serial,
+                                changes_of(geom),
+                                meets,
+                                is_surface(geom),
+                                geom.type->number == dTriMeshClass,
+                                is_solid(geom)};
     }
     return true;
 }
 
-// With the bits of their manifolds.
-bool ContactWorld::list_for_state(const World& world, const SpaceGeoms& geoms)
+// All pairs in the order of the space.
+bool ContactWorld::list_with_resting()
 {
     listed_.clear();
-    listed_bytes_ = 0, listed_manifolds_ = 0;
-    if (!describe_geoms(world, geoms)) return false;
-    const auto layer = float(contact_layer(world));
-    const bool narrow = geoms.count() <= kNarrowGeoms;
     bool complete = true;
     const auto list = [&](const ContactPair& pair, std::span<const CachedManifold> manifolds, bool rests) {
-        const bool separated = !pair.on_mesh && pair.separating_axis;
-        if (manifolds.empty() && !separated && !pair.touched && pair.wanted && !filter) return;
-        const int n1 = geoms.find(pair.serial1), n2 = geoms.find(pair.serial2);
-        if (n1 < 0 || n2 < 0 || !described_.data()[n1].body) return;
-        std::uint32_t bits = pair.count | (pair.wanted ? kWanted : 0u) | (pair.touched ? kTouched : 0u) |
-                             (rests ? kRests : 0u) | (separated ? kSeparatingAxis : 0u);
-        const std::uint32_t changes = described_.data()[n1].changes + described_.data()[n2].changes;
-        int shift = kFirstManifold;
-        for (const CachedManifold& kept : manifolds)
-            bits |= bits_of(changes, layer, kept) << shift, shift += kManifoldBits;
-        listed_bytes_ += size_of_pair(bits, narrow), listed_manifolds_ += pair.count;
-        complete = complete && listed_.push({&pair, manifolds.data(), n1, n2, bits});
+        complete = complete && listed_.push({&pair, manifolds.data(), rests});
     };
     for (const ContactPair& pair : last_.pairs) list(pair, last_.of(pair), false);
-    if (resting_.empty()) return complete;
     resting_.for_each([&](const ContactPair& pair, std::span<const CachedManifold> manifolds) {
         list(pair, manifolds, true);
     });
-    if (complete)
-        std::sort(listed_.begin(), listed_.end(), [](const Listed& a, const Listed& b) {
-            return in_order(slots_of(*a.pair), slots_of(*b.pair));
-        });
-    return complete;
+    if (!complete) return false;
+    // What a geom that is gone has left is not in the state.
+    const auto gone = std::remove_if(listed_.begin(), listed_.end(), [](const Listed& l) {
+        return !from_handle<Geom>(l.pair->id1) || !from_handle<Geom>(l.pair->id2);
+    });
+    listed_.truncate(int(gone - listed_.begin()));
+    std::sort(listed_.begin(), listed_.end(), [](const Listed& a, const Listed& b) {
+        return in_order(slots_of(*a.pair), slots_of(*b.pair));
+    });
+    return true;
 }
 
 bool ContactWorld::save(const World& world, const SpaceGeoms& geoms, StateStream& stream)
 {
+    if (!describe_geoms(world, geoms) || (!resting_.empty() && !list_with_resting())) return false;
     const Space* in = live_space();
-    if (stream.measures() && !list_for_state(world, geoms)) return false;
     const bool lost = in && !in->disturbances.knows_since(seen_disturbances_);
     const bool settled = in && is_settled(*in);
     (void)stream.word((few_active_ ? kFewActive : 0u) | (unfinished_ || lost ? kUnfinished : 0u) |
                       (settled ? kSettled : 0u));
     stream.reals(&h_, 1);
-    const auto ended = int(std::count_if(ended_.begin(), ended_.end(), [&](const dContactEvent& event) {
-        return number_of(event.g1, geoms) >= 0 && number_of(event.g2, geoms) >= 0;
-    }));
-    for (const int count : {listed_.size(), listed_manifolds_, ended})
-        (void)stream.word(std::uint32_t(count));
-    if (std::byte* const to = stream.block(listed_bytes_)) save_pairs(to, geoms.count() <= kNarrowGeoms);
-    for (const dContactEvent& event : ended_) save_ended(event, geoms, stream);
-    return true;
+    const std::size_t place = stream.failed() ? 0 : stream.written();
+    StateCounts counts;
+    (void)stream.block(sizeof counts);
+    save_pairs(float(contact_layer(world)), geoms, stream, counts);
+    for (const dContactEvent& event : ended_) counts.ended += save_ended(event, geoms, stream);
+    if (!stream.failed()) std::memcpy(stream.written_at(place), &counts, sizeof counts);
+    return !stream.failed();
 }
 
-void ContactWorld::save_pairs(std::byte* to, bool narrow) const
+void ContactWorld::save_pairs(float layer, const SpaceGeoms& geoms, StateStream& stream, StateCounts& counts)
 {
-    Writing writing{to};
+    if (resting_.empty())
+        for (const ContactPair& pair : last_.pairs)
+            save_pair({&pair, last_.of(pair).data(), false}, layer, geoms, stream, counts);
+    else
+        for (const Listed& listed : listed_) save_pair(listed, layer, geoms, stream, counts);
+}
+
+void ContactWorld::save_pair(const Listed& listed, float layer, const SpaceGeoms& geoms, StateStream& stream,
+                             StateCounts& counts) const
+{
+    const ContactPair& pair = *listed.pair;
+    const bool separated = !pair.on_mesh && pair.separating_axis;
+    if (pair.count == 0 && !separated && !pair.touched && pair.wanted && !filter) return;
+    const int n1 = geoms.find(pair.serial1), n2 = geoms.find(pair.serial2);
+    if (n1 < 0 || n2 < 0 || !described_.data()[n1].body) return;
+    std::byte* const begin = stream.block(kMaxPairBytes);
+    if (!begin) return;
+    std::byte* to = begin;
     const auto word = [&](std::uint32_t value) {
-        std::memcpy(writing.at, &value, sizeof value);
-        writing.at += sizeof value;
+        std::memcpy(to, &value, sizeof value);
+        to += sizeof value;
     };
-    for (const Listed& l : listed_) {
-        const auto n1 = std::uint32_t(l.number1), n2 = std::uint32_t(l.number2);
-        if (narrow)
-            word(n1 | n2 << 16);
-        else
-            word(n1), word(n2);
-        word(l.bits);
-        if (l.bits & kSeparatingAxis) word(l.pair->separating_axis);
-        for (int i = 0; i < int(l.bits & kManifolds); ++i)
-            move_numbers(l.manifolds[i], bits_of_manifold(l.bits, i), writing);
+    if (geoms.count() <= kNarrowGeoms)
+        word(std::uint32_t(n1) | std::uint32_t(n2) << 16);
+    else
+        word(std::uint32_t(n1)), word(std::uint32_t(n2));
+    std::byte* const bits_at = to;
+    word(0);
+    if (separated) word(pair.separating_axis);
+    std::byte* const more_at = to;
+    if (pair.count > kManifoldsInWord) word(0);
+    const std::uint32_t changes = described_.data()[n1].changes + described_.data()[n2].changes;
+    std::uint64_t all = pair.count | (pair.wanted ? kWanted : 0u) | (pair.touched ? kTouched : 0u) |
+                        (listed.rests ? kRests : 0u) | (separated ? kSeparatingAxis : 0u);
+    for (int i = 0; i < pair.count; ++i) {
+        const CachedManifold& kept = listed.manifolds[i];
+        const std::uint32_t bits = write_manifold(kept, layer, to);
+        all |= std::uint64_t(bits | (kept.found.changes != changes ? kChanged : 0u))
+               << (kFirstManifold + i * kManifoldBits);
     }
+    const auto low = std::uint32_t(all), high = std::uint32_t(all >> 32);
+    std::memcpy(bits_at, &low, sizeof low);
+    if (pair.count > kManifoldsInWord) std::memcpy(more_at, &high, sizeof high);
+    stream.end_block(to);
+    ++counts.pairs, counts.manifolds += pair.count;
 }
 
 // What has ended because a geom was destroyed cannot be named in another world: it is left out.
-void ContactWorld::save_ended(const dContactEvent& event, const SpaceGeoms& geoms, StateStream& stream)
+// False: it is not in the state.
+bool ContactWorld::save_ended(const dContactEvent& event, const SpaceGeoms& geoms, StateStream& stream)
 {
     const int n1 = number_of(event.g1, geoms), n2 = number_of(event.g2, geoms);
-    if (n1 < 0 || n2 < 0) return;
+    if (n1 < 0 || n2 < 0) return false;
     (void)stream.word(std::uint32_t(event.kind));
     (void)stream.word(std::uint32_t(n1)), (void)stream.word(std::uint32_t(n2));
+    return true;
 }
 
 bool ContactWorld::load(const World& world, const SpaceGeoms& geoms, StateStream& stream, Loaded& out)
 {
+    out.clear();
     const std::uint32_t bits = stream.word(0);
     out.few_active = bits & kFewActive, out.unfinished = bits & kUnfinished, out.settled = bits & kSettled;
     stream.reals(&out.h, 1);
     const std::uint32_t pairs = stream.word(0), manifolds = stream.word(0), ended = stream.word(0);
-    const std::size_t left = stream.size();
+    const std::size_t left = stream.left();
     if (!stream.demand(
             pairs <= left / kPairBytes && manifolds <= left / kManifoldBytes && ended <= left / kEventBytes,
             "the state ends too early"))
@@ -182,7 +215,7 @@ bool ContactWorld::load(const World& world, const SpaceGeoms& geoms, StateStream
         return false;
     std::uint32_t used = 0;
     for (std::uint32_t i = 0; i < pairs && !stream.failed(); ++i)
-        if (!load_pair(world, geoms, stream, used, out)) return false;
+        if (!load_pair(world, stream, used, out)) return false;
     const auto geom = [&] {
         const std::uint32_t number = stream.index(0, std::uint32_t(geoms.count()), "an event of no geom");
         return stream.failed() ? nullptr : to_handle(&geoms[int(number)]);
@@ -196,12 +229,11 @@ bool ContactWorld::load(const World& world, const SpaceGeoms& geoms, StateStream
 }
 
 // `used`: manifolds so far. False: out of memory.
-bool ContactWorld::load_pair(const World& world, const SpaceGeoms& geoms, StateStream& stream,
-                             std::uint32_t& used, Loaded& out)
+bool ContactWorld::load_pair(const World& world, StateStream& stream, std::uint32_t& used, Loaded& out)
 {
-    const auto count = std::uint32_t(geoms.count());
+    const auto count = std::uint32_t(described_.size());
     std::uint32_t n1 = stream.word(0), n2 = n1 >> 16;
-    if (geoms.count() <= kNarrowGeoms)
+    if (described_.size() <= kNarrowGeoms)
         n1 &= 0xffff;
     else
         n2 = stream.word(0);
@@ -211,9 +243,7 @@ bool ContactWorld::load_pair(const World& world, const SpaceGeoms& geoms, StateS
     if (!stream.demand(n1 != n2 && a.meets && b.meets && a.body && a.body != b.body,
                        "a contact of geoms that do not meet"))
         return true;
-    const Geom &g1 = geoms[int(n1)], &g2 = geoms[int(n2)];
-    ContactPair pair{
-        to_handle(&g1), to_handle(&g2), g1.serial, g2.serial, nullptr, nullptr, -1, int(used), {}};
+    ContactPair pair{a.id, b.id, a.serial, b.serial, nullptr, nullptr, -1, int(used), {}};
     pair.max_manifolds = std::uint8_t(a.is_surface || b.is_surface ? kSurfaceManifolds : 1);
     pair.count = std::uint8_t(bits & kManifolds);
     pair.wanted = bits & kWanted, pair.touched = bits & kTouched;
@@ -227,8 +257,10 @@ bool ContactWorld::load_pair(const World& world, const SpaceGeoms& geoms, StateS
         pair.leaves = list.leaves.size();
         if (!list.leaves.push(NearLeaves{})) return false;
     }
+    const ManifoldBits of_manifolds(bits, stream);
+    const auto layer = float(contact_layer(world));
     for (int i = 0; i < pair.count && !stream.failed(); ++i)
-        load_manifold(bits_of_manifold(bits, i), a.changes + b.changes, contact_layer(world), stream,
+        load_manifold(of_manifolds.of(i), a.changes + b.changes, layer, stream,
                       list.manifolds.data()[int(used++)]);
     out.any_rests = out.any_rests || bits & kRests;
     (void)list.pairs.push(pair), (void)out.rests.push(bits & kRests ? 1 : 0);

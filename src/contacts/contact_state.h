@@ -10,6 +10,12 @@ namespace epode {
 
 class ContactWorld::Loaded {
     friend class ContactWorld;
+    void clear()
+    {
+        rests.clear(), ended.clear();
+        h = 0;
+        few_active = unfinished = settled = any_rests = false;
+    }
     Array<std::uint8_t> rests;  // of each pair
     Array<dContactEvent> ended;
     Real h = 0;

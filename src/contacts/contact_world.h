@@ -83,7 +83,7 @@ class ContactWorld {
     // can be asked for. What is loaded lies where a step makes its pairs until it is accepted, which
     // cannot fail.
     class Loaded;
-    // A state is measured before it is written. False: out of memory.
+    // False: out of memory.
     [[nodiscard]] bool save(const World& world, const SpaceGeoms& geoms, StateStream& stream);
     [[nodiscard]] bool load(const World& world, const SpaceGeoms& geoms, StateStream& stream, Loaded& out);
     // All geoms have been told that they have moved, if they have.
@@ -109,26 +109,32 @@ class ContactWorld {
     };
     dEvent impact_of(const ContactPair& pair) const;
 
-    // A pair that a state has, its geoms there, and its bits.
+    // A pair that a state may have.
     struct Listed {
         const ContactPair* pair;
         const CachedManifold* manifolds;
-        int number1, number2;
-        std::uint32_t bits;
+        bool rests;
     };
     // A geom, for its pairs in a state.
     struct Described {
         const Body* body;
+        dGeomID id;
+        std::uint64_t serial;
         std::uint32_t changes;
         bool meets, is_surface, is_mesh, is_solid;
     };
+    // How many of each a state has.
+    struct StateCounts {
+        std::uint32_t pairs = 0, manifolds = 0, ended = 0;
+    };
 
     [[nodiscard]] bool describe_geoms(const World& world, const SpaceGeoms& geoms);
-    [[nodiscard]] bool list_for_state(const World& world, const SpaceGeoms& geoms);
-    void save_pairs(std::byte* to, bool narrow) const;
-    static void save_ended(const dContactEvent& event, const SpaceGeoms& geoms, StateStream& stream);
-    [[nodiscard]] bool load_pair(const World& world, const SpaceGeoms& geoms, StateStream& stream,
-                                 std::uint32_t& used, Loaded& out);
+    [[nodiscard]] bool list_with_resting();
+    void save_pairs(float layer, const SpaceGeoms& geoms, StateStream& stream, StateCounts& counts);
+    void save_pair(const Listed& listed, float layer, const SpaceGeoms& geoms, StateStream& stream,
+                   StateCounts& counts) const;
+    static bool save_ended(const dContactEvent& event, const SpaceGeoms& geoms, StateStream& stream);
+    [[nodiscard]] bool load_pair(const World& world, StateStream& stream, std::uint32_t& used, Loaded& out);
     void put_to_rest(const Loaded& loaded, Space& in);
     [[nodiscard]] bool expect_all(Space& in, const SpeculativeMotion& soon, const Tasks& tasks);
     [[nodiscard]] bool expect_few(const World& world, Space& in, const SpeculativeMotion& soon);
@@ -158,10 +164,8 @@ class ContactWorld {
     Array<GeomPair> found_;
     Array<PairRange> ranges_;
     Array<int> table_;
-    // When a state has been measured, until it is written.
+    // While a state is written or read.
     Array<Listed> listed_;
-    std::size_t listed_bytes_ = 0;
-    int listed_manifolds_ = 0;
     Array<Described> described_;
     Array<dContactEvent> ended_;   // of the last step
     Array<PointSpeeds> approach_;  // of the manifolds of this step, where events are wanted

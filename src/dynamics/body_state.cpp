@@ -29,7 +29,31 @@ enum Bit : std::uint16_t {
     kWatch = 1 << 14,
 };
 
+// Most bodies have pose and velocities alone: numbers in one run.
+constexpr unsigned kSpecial = kMatrix | kForce | kSpin | kFiniteAxis | kHybrid | kWatch;
+constexpr int kPoseNumbers = 7, kMotionNumbers = 13;
+
+std::size_t plain_bytes(std::uint16_t bits)
+{
+    return sizeof(Real) * std::size_t(bits & kVelocity ? kMotionNumbers : kPoseNumbers);
+}
+
 using Bits = std::conditional_t<kSingle, std::uint32_t, std::uint64_t>;
+constexpr int kMantissa = kSingle ? 23 : 52;
+constexpr Bits kOne = Bits(1) << kMantissa, kSign = Bits(1) << (8 * sizeof(Real) - 1);
+constexpr Bits kExponent = kSign - kOne;
+
+// An exponent of all ones carries into the sign.
+bool all_finite(const std::byte* from, int count)
+{
+    Bits carry = 0;
+    for (int i = 0; i < count; ++i) {
+        Bits bits;
+        std::memcpy(&bits, from + sizeof bits * std::size_t(i), sizeof bits);
+        carry |= (bits & kExponent) + kOne;
+    }
+    return !(carry & kSign);
+}
 
 // To the last bit: -0 is something.
 bool all_zero(const Real* values)
@@ -58,11 +82,14 @@ bool is_new(const Stillness& window)
     return window.time == 0 && !window.still && all_zero(window.position) && all_zero(turn);
 }
 
+// Where the world watches no body, only the program can have changed the counters.
 bool has_been_watched(const Body& body)
 {
     return body.auto_disable || body.idle_steps_left != body.sleep.steps ||
-           body.idle_time_left != body.sleep.time || body.sample_next > 0 || body.samples_ready ||
-           body.settling_time > 0 || !is_new(body.short_window) || !is_new(body.long_window);
+           body.idle_time_left != body.sleep.time ||
+           (body.world->watches_bodies &&
+            (body.sample_next > 0 || body.samples_ready || body.settling_time > 0 ||
+             !is_new(body.short_window) || !is_new(body.long_window)));
 }
 
 void vector(Vec3& v, StateStream& stream) { stream.reals(&v.x, 3); }
@@ -120,6 +147,7 @@ void watch_state(Body& body, StateStream& stream)
                                                {&lasting.time, 0}},
                                               own);
     const auto steps = int(stream.word(std::uint32_t(body.idle_steps_left)));
+    if (stream.stores()) body.world->watches_bodies = true;
     window(body, brief, bits & kShortHere, stream);
     window(body, lasting, bits & kLongHere, stream);
     samples(body, stream);
@@ -132,7 +160,9 @@ void watch_state(Body& body, StateStream& stream)
 // Of a body that no step has watched.
 void forget_watch(Body& body)
 {
-    body.idle_steps_left = body.sleep.steps, body.idle_time_left = body.sleep.time;
+    if (body.idle_steps_left != body.sleep.steps) body.idle_steps_left = body.sleep.steps;
+    if (body.idle_time_left != body.sleep.time) body.idle_time_left = body.sleep.time;
+    if (!body.world->watches_bodies) return;
     body.sample_next = 0, body.samples_ready = false;
     body.short_window = body.long_window = Stillness{};
     body.settling_time = 0;
@@ -151,6 +181,8 @@ bool is_rotation(const Real* R)
     return error < kUnitTolerance;
 }
 
+constexpr const char* kNoUnit = "an orientation of the state is no unit quaternion";
+
 struct Orientation {
     Real q[4], R[12];
 };
@@ -159,8 +191,7 @@ bool is_sound(const Orientation& o, std::uint16_t bits, StateStream& stream)
 {
     const Quat unit = load_quat(o.q);
     const Real norm2 = unit.w * unit.w + length2(unit.vec());
-    return stream.demand(std::fabs(norm2 - 1) < kUnitTolerance,
-                         "an orientation of the state is no unit quaternion") &&
+    return stream.demand(std::fabs(norm2 - 1) < kUnitTolerance, kNoUnit) &&
            (!(bits & kMatrix) || stream.demand(is_rotation(o.R), "a matrix of the state is no rotation"));
 }
 
@@ -197,7 +228,11 @@ bool pose(Body& body, std::uint16_t bits, StateStream& stream)
            std::memcmp(o.q, body.q, sizeof o.q) != 0 || std::memcmp(o.R, body.R, sizeof o.R) != 0;
 }
 
-void clear(Real (&values)[4]) { store(values, {}); }
+// Reads before it writes: a line of the cache that stays as it is need not go back to memory.
+void clear(Real* values)
+{
+    if (!all_zero(values)) values[0] = values[1] = values[2] = 0;
+}
 
 void take_bits(Body& body, std::uint16_t bits)
 {
@@ -212,9 +247,10 @@ void take_bits(Body& body, std::uint16_t bits)
     bits& kActive ? body.world->bodies.activate(body) : body.world->bodies.deactivate(body);
     if (!(bits & kVelocity)) clear(body.lvel), clear(body.avel);
     if (!(bits & kForce)) clear(body.facc), clear(body.tacc);
-    if (!(bits & kSpin)) body.spin_excess = {};
-    if (!(bits & kFiniteAxis)) body.finite_axis = {};
-    if (!(bits & kHybrid)) body.hybrid.was_exact = false, body.hybrid.factorisations = 0;
+    if (!(bits & kSpin)) clear(&body.spin_excess.x);
+    if (!(bits & kFiniteAxis)) clear(&body.finite_axis.x);
+    if (!(bits & kHybrid) && (body.hybrid.was_exact || body.hybrid.factorisations > 0))
+        body.hybrid.was_exact = false, body.hybrid.factorisations = 0;
     if (!(bits & kWatch)) forget_watch(body);
 }
 
@@ -227,9 +263,7 @@ void hybrid(Body& body, StateStream& stream)
     body.hybrid.factorisations = std::uint8_t(word);
 }
 
-}  // namespace
-
-std::uint16_t state_bits(const Body& body)
+std::uint16_t bits_of(const Body& body)
 {
     const auto bit = [](bool on, Bit b) { return on ? unsigned(b) : 0u; };
     return std::uint16_t(
@@ -244,9 +278,63 @@ std::uint16_t state_bits(const Body& body)
         bit(has_been_watched(body), kWatch));
 }
 
-bool state(Body& body, std::uint16_t bits, StateStream& stream)
+void save_plain(const Body& body, std::uint16_t bits, StateStream& stream)
 {
-    if (stream.stores()) take_bits(body, bits);
+    std::byte* const to = stream.block(plain_bytes(bits));
+    if (!to) return;
+    // Each at once from where it is: what is put together elsewhere first has to arrive there.
+    std::memcpy(to, body.pos, 3 * sizeof(Real));
+    std::memcpy(to + 3 * sizeof(Real), body.q, 4 * sizeof(Real));
+    if (!(bits & kVelocity)) return;
+    std::memcpy(to + 7 * sizeof(Real), body.lvel, 3 * sizeof(Real));
+    std::memcpy(to + 10 * sizeof(Real), body.avel, 3 * sizeof(Real));
+}
+
+Real number_at(const std::byte* from, int i)
+{
+    Real x;
+    std::memcpy(&x, from + sizeof x * std::size_t(i), sizeof x);
+    return x;
+}
+
+Vec3 vector_at(const std::byte* from, int i)
+{
+    return {number_at(from, i), number_at(from, i + 1), number_at(from, i + 2)};
+}
+
+Quat quaternion_at(const std::byte* from, int i)
+{
+    return {number_at(from, i), number_at(from, i + 1), number_at(from, i + 2), number_at(from, i + 3)};
+}
+
+void check_plain(std::uint16_t bits, StateStream& stream)
+{
+    const std::byte* const from = stream.block(plain_bytes(bits));
+    if (!from) return;
+    const Quat q = quaternion_at(from, 3);
+    const Real norm2 = q.w * q.w + length2(q.vec());
+    (void)(stream.demand(all_finite(from, bits & kVelocity ? kMotionNumbers : kPoseNumbers),
+                         StateStream::kBadNumber) &&
+           stream.demand(std::fabs(norm2 - 1) < kUnitTolerance, kNoUnit));
+}
+
+bool take_plain(Body& body, std::uint16_t bits, StateStream& stream)
+{
+    const std::byte* const from = stream.block(plain_bytes(bits));
+    const Vec3 p = vector_at(from, 0);
+    const Quat q = quaternion_at(from, 3);
+    const Mat3 m = to_matrix(q);
+    const Bits differs = differing(body.pos, p) | differing(body.q + 1, q.vec()) |
+                         (std::bit_cast<Bits>(body.q[0]) ^ std::bit_cast<Bits>(q.w)) |
+                         differing(body.R, m.row0) | differing(body.R + 4, m.row1) |
+                         differing(body.R + 8, m.row2);
+    if (differs != 0) store(body.pos, p), store_quat(body.q, q), store_mat(body.R, m);
+    if (bits & kVelocity) store(body.lvel, vector_at(from, 7)), store(body.avel, vector_at(from, 10));
+    return differs != 0;
+}
+
+bool special(Body& body, std::uint16_t bits, StateStream& stream)
+{
     const bool moves = pose(body, bits, stream);
     if (bits & kVelocity) stream.reals(body.lvel, 3), stream.reals(body.avel, 3);
     if (bits & kForce) stream.reals(body.facc, 3), stream.reals(body.tacc, 3);
@@ -255,6 +343,27 @@ bool state(Body& body, std::uint16_t bits, StateStream& stream)
     if (bits & kHybrid) hybrid(body, stream);
     if (bits & kWatch) watch_state(body, stream);
     return moves;
+}
+
+}  // namespace
+
+std::uint16_t save_state(Body& body, StateStream& stream)
+{
+    const std::uint16_t bits = bits_of(body);
+    if (bits & kSpecial)
+        special(body, bits, stream);
+    else
+        save_plain(body, bits, stream);
+    return bits;
+}
+
+bool load_state(Body& body, std::uint16_t bits, StateStream& stream)
+{
+    if (stream.stores()) take_bits(body, bits);
+    if (bits & kSpecial) return special(body, bits, stream);
+    if (stream.stores()) return take_plain(body, bits, stream);
+    check_plain(bits, stream);
+    return false;
 }
 
 }  // namespace epode

@@ -8,15 +8,22 @@
 // and user data are none of the state.
 #pragma once
 
+#include "base/prefetch.h"
 #include "base/streams/state_stream.h"
 #include "dynamics/world.h"
 
 namespace epode {
 
-// The bits of a body, from which state() knows which numbers there are.
-std::uint16_t state_bits(const Body& body);
+// Writes the numbers of a body. Returns the bits from which load_state() knows which there are.
+std::uint16_t save_state(Body& body, StateStream& stream);
 
-// The numbers, and what the bits say themselves. True: the body's pose becomes another one.
-bool state(Body& body, std::uint16_t bits, StateStream& stream);
+// Reads the numbers, and what the bits say themselves. True: the body's pose becomes another one.
+bool load_state(Body& body, std::uint16_t bits, StateStream& stream);
+
+// All that save_state() and load_state() look at.
+inline void prefetch_state(const Body& body)
+{
+    prefetch<1>(&body), prefetch<5>(body.pos), prefetch<3>(&body.spin_excess);
+}
 
 }  // namespace epode

@@ -63,7 +63,7 @@ std::size_t History::bytes() const
     std::size_t sum = sizeof(Frame) * std::size_t(ring_.size());
     const Topology* before = nullptr;
     for (const Frame& f : ring_) {
-        sum += f.capacity;
+        sum += f.state.capacity;
         if (f.topology && f.topology != before) sum += f.topology->bytes();
         before = f.topology;
     }
@@ -93,8 +93,7 @@ void History::forget()
 void History::clear()
 {
     forget();
-    for (Frame& f : ring_)
-        if (f.bytes) release(f.bytes, f.capacity);
+    for (Frame& f : ring_) f.state.release();
     ring_.reset();
     destroy_topology(spare_);
     spare_ = nullptr;
@@ -118,18 +117,11 @@ bool History::capture()
         let_go(next);
         parking_.destroy_before(newest_ + 1 - std::uint64_t(count_));
     }
-    std::size_t size = 0;
-    if (!state_.prepare(WorldState::Joints::kLasting) || !state_.measure(size)) return false;
-    if (size > next.capacity) {
-        const std::size_t capacity = size + size / 4;
-        if (next.bytes) release(next.bytes, next.capacity);
-        next.capacity = 0;
-        next.bytes = static_cast<std::byte*>(allocate(capacity));
-        if (!next.bytes) return false;
-        next.capacity = capacity;
-    }
-    state_.write(next.bytes, Seal::kUnsealed);
-    next.size = size;
+    const std::size_t expected = count_ > 0 ? frame(newest_).state.size : 0;
+    next.state.size = 0;
+    if (!state_.prepare(WorldState::Joints::kLasting) || !next.state.reserve(expected) ||
+        !state_.append(next.state, Seal::kUnsealed))
+        return false;
     if (!take_topology(next)) return false;
     ++newest_, ++count_;
     return true;
@@ -165,7 +157,7 @@ const char* History::roll_back(int frames)
     arrangement.apply(now, *target.topology, 0);
     const char* wrong = kOutOfMemory;
     if (state_.prepare(WorldState::Joints::kLasting))
-        wrong = state_.set(target.bytes, target.size, Seal::kUnsealed);
+        wrong = state_.set(target.state.data, target.state.size, Seal::kUnsealed);
     if (wrong) {
         arrangement.apply(*target.topology, now, newest_);
         return wrong;

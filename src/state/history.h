@@ -40,8 +40,7 @@ class History {
 
   private:
     struct Frame {
-        std::byte* bytes;
-        std::size_t size, capacity;
+        StateBytes state;
         Topology* topology;
     };
 

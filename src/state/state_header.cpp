@@ -10,9 +10,18 @@
 namespace epode {
 namespace {
 
-std::uint64_t sum_of(const void* state, std::size_t size)
+std::uint64_t sum_of(const void* state, std::size_t size, int version)
 {
-    return checksum(static_cast<const char*>(state) + sizeof(StateHeader), size - sizeof(StateHeader));
+    const void* const content = static_cast<const char*>(state) + sizeof(StateHeader);
+    const std::size_t length = size - sizeof(StateHeader);
+    return version < 4 ? checksum_3(content, length) : checksum(content, length);
+}
+
+StateHeader header_of(std::size_t size, StateHeader::Kind kind)
+{
+    StateHeader header;
+    header.kind = kind, header.size = size;
+    return header;
 }
 
 const char* precision(int real_size) { return real_size == sizeof(double) ? "double" : "single"; }
@@ -21,11 +30,18 @@ const char* precision(int real_size) { return real_size == sizeof(double) ? "dou
 
 void seal(void* state, std::size_t size, StateHeader::Kind kind, Seal with)
 {
-    StateHeader header;
-    header.kind = kind;
-    header.size = size;
-    if (with == Seal::kSealed) header.checksum = sum_of(state, size);
+    StateHeader header = header_of(size, kind);
+    if (with == Seal::kSealed) header.checksum = sum_of(state, size, header.version);
     std::memcpy(state, &header, sizeof header);
+}
+
+void copy_sealed(void* to, std::span<const std::byte> state)
+{
+    StateHeader header = header_of(state.size(), StateHeader::kWhole);
+    const std::span<const std::byte> content = state.subspan(sizeof header);
+    header.checksum =
+        copy_and_sum(static_cast<std::byte*>(to) + sizeof header, content.data(), content.size());
+    std::memcpy(to, &header, sizeof header);
 }
 
 const char* read_header(const void* state, std::size_t size, StateHeader::Kind kind, StateHeader& header,
@@ -39,9 +55,9 @@ const char* read_header(const void* state, std::size_t size, StateHeader::Kind k
         return wrong("%zu bytes are no state: even its header has %zu", size, sizeof header);
     std::memcpy(&header, state, sizeof header);
     if (header.magic != StateHeader::kMagic) return "these bytes are no state of a world";
-    if (header.version != StateHeader::kVersion)
-        return wrong("a state of version %d; this library reads version %d", int(header.version),
-                     int(StateHeader::kVersion));
+    if (header.version < StateHeader::kOldest || header.version > StateHeader::kVersion)
+        return wrong("a state of version %d; this library reads versions %d to %d", int(header.version),
+                     int(StateHeader::kOldest), int(StateHeader::kVersion));
     if (header.real_size != sizeof(Real))
         return wrong("a state of %s precision; this library has %s", precision(header.real_size),
                      precision(sizeof(Real)));
@@ -51,7 +67,7 @@ const char* read_header(const void* state, std::size_t size, StateHeader::Kind k
     if (header.size > size || header.size < sizeof header || header.size % 4 != 0)
         return wrong("a state of %llu bytes, of which %zu are given",
                      static_cast<unsigned long long>(header.size), size);
-    if (with == Seal::kSealed && header.checksum != sum_of(state, std::size_t(header.size)))
+    if (with == Seal::kSealed && header.checksum != sum_of(state, std::size_t(header.size), header.version))
         return "the checksum of the state is wrong: its bytes have changed";
     return nullptr;
 }

@@ -3,11 +3,15 @@
 //
 // The header of every state, checked before anything else is read: format, size, and a checksum of its bytes.
 // Sizes of both kinds, whole states and differences between two (state/delta.h), are multiples of four bytes.
-// The version must change whenever a part of the engine writes something else.
+// The version must change whenever a part of the engine writes something else; the one before is still read:
+// files of worlds have it (tests/state/version_test.cpp).
+//   3 -> 4   contact manifolds (contacts/contact_format.h), the seed of dRand (state/world_state.h),
+//            checksum
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "base/config.h"
 
@@ -15,7 +19,7 @@ namespace epode {
 
 struct StateHeader {
     static constexpr std::uint32_t kMagic = 0x74736e65;  // "enst"
-    static constexpr std::uint16_t kVersion = 3;
+    static constexpr std::uint16_t kVersion = 4, kOldest = 3;
     enum Kind : std::uint8_t { kWhole = 1, kDelta = 2 };
 
     std::uint32_t magic = kMagic;
@@ -32,6 +36,9 @@ enum class Seal : std::uint8_t { kSealed, kUnsealed };
 
 // Writes the header of a state whose other bytes have been written.
 void seal(void* state, std::size_t size, StateHeader::Kind kind, Seal with = Seal::kSealed);
+
+// Writes a whole state without a seal to `to`, sealed.
+void copy_sealed(void* to, std::span<const std::byte> state);
 
 // Null: valid, and `header` is its header; else the first fault, in words. Bytes after the state's end are
 // ignored.

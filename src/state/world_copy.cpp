@@ -3,6 +3,7 @@
 #include "state/world_copy.h"
 
 #include <cstdio>
+#include <cstring>
 
 #include "base/check.h"
 #include "base/streams/checksum.h"
@@ -22,17 +23,23 @@ const char* put(Text text, const char* wrong)
     return text.data();
 }
 
-const char* append_state(World& world, Array<std::byte>& out, Seal with)
+// The state of the world in memory that is its own; null: out of memory.
+WorldState* written_state(World& world, Seal with)
 {
     WorldArchive* const archive = archive_of(world);
-    std::size_t size = 0;
-    if (!archive || !archive->state.prepare() || !archive->state.measure(size)) return kOutOfMemory;
-    const std::size_t end = std::size_t(out.size()) + size;
+    return archive && archive->state.prepare() && archive->state.write(with) ? &archive->state : nullptr;
+}
+
+const char* append_state(World& world, Array<std::byte>& out)
+{
+    const WorldState* const state = written_state(world, Seal::kSealed);
+    if (!state) return kOutOfMemory;
+    const std::span<const std::byte> from = state->written();
+    const std::size_t begin = std::size_t(out.size()), end = begin + from.size();
     if (end > std::size_t(std::numeric_limits<int>::max() / 2)) return "the world is too large for one file";
-    const int begin = out.size();
     if (!out.reserve(int(end))) return kOutOfMemory;
-    (void)out.extend(int(size));
-    archive->state.write(out.data() + begin, with);
+    (void)out.extend(int(from.size()));
+    std::memcpy(out.data() + begin, from.data(), from.size());
     return nullptr;
 }
 
@@ -87,11 +94,10 @@ const char* clone_world(World& world, Space* space, WorldCopy& out, HandleTable 
     WorldStructure original(world, space, stream);
     if (original.gather()) original.save();
     if (stream.failed()) return put({text, text_size}, stream.text());
-    const std::size_t end = std::size_t(bytes.size());
-    if (const char* wrong = append_state(world, bytes, Seal::kUnsealed)) return wrong;
-    const std::span<const std::byte> all = bytes.span();
+    const WorldState* const state = written_state(world, Seal::kUnsealed);
+    if (!state) return kOutOfMemory;
     const char* const wrong =
-        build(all.first(end), all.subspan(end), Use::kClone, Seal::kUnsealed, out, table, {text, text_size});
+        build(bytes.span(), state->written(), Use::kClone, Seal::kUnsealed, out, table, {text, text_size});
     if (!wrong) table.write(original, 0);
     return wrong;
 }
@@ -106,7 +112,7 @@ const char* save_world(World& world, Space* space, Array<std::byte>& out, char* 
     const int padding = -out.size() & 7;
     if (!out.resize(out.size() + padding)) return kOutOfMemory;
     const std::size_t structure = std::size_t(out.size());
-    if (const char* wrong = append_state(world, out, Seal::kSealed)) return wrong;
+    if (const char* wrong = append_state(world, out)) return wrong;
     seal_file(out.span(), structure);
     return nullptr;
 }

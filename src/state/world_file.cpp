@@ -10,10 +10,11 @@
 namespace epode {
 namespace {
 
-std::uint64_t sum_of(std::span<const std::byte> file)
+std::uint64_t sum_of(std::span<const std::byte> file, int version)
 {
     const std::span<const std::byte> content = file.subspan(sizeof(WorldFileHeader));
-    return checksum(content.data(), content.size());
+    return version < 2 ? checksum_3(content.data(), content.size())
+                       : checksum(content.data(), content.size());
 }
 
 }  // namespace
@@ -23,7 +24,7 @@ void seal_file(std::span<std::byte> file, std::size_t structure_end)
     WorldFileHeader header;
     header.structure_size = structure_end - sizeof header;
     header.state_size = file.size() - structure_end;
-    header.checksum = sum_of(file);
+    header.checksum = sum_of(file, header.version);
     std::memcpy(file.data(), &header, sizeof header);
 }
 
@@ -38,7 +39,7 @@ const char* read_file_header(std::span<const std::byte> file, WorldFileHeader& h
         return wrong("%zu bytes are no world: even its header has %zu", file.size(), sizeof header);
     std::memcpy(&header, file.data(), sizeof header);
     if (header.magic != WorldFileHeader::kMagic) return "these bytes are no world";
-    if (header.version != WorldFileHeader::kVersion)
+    if (header.version < 1 || header.version > WorldFileHeader::kVersion)
         return wrong("a world of version %d; this library reads versions up to %d", int(header.version),
                      int(WorldFileHeader::kVersion));
     if (header.real_size != sizeof(Real))
@@ -51,7 +52,7 @@ const char* read_file_header(std::span<const std::byte> file, WorldFileHeader& h
                      static_cast<unsigned long long>(header.state_size),
                      static_cast<unsigned long long>(content));
     const std::size_t size = sizeof header + header.structure_size + header.state_size;
-    if (header.checksum != sum_of(file.first(size)))
+    if (header.checksum != sum_of(file.first(size), header.version))
         return "the checksum of the world is wrong: its bytes have changed";
     return nullptr;
 }

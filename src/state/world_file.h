@@ -3,6 +3,7 @@
 //
 // The header of a file of a world, checked before anything else is read. Files of one version are read by all
 // later libraries; a part that changes gets another version and is read in both ways.
+//   1 -> 2   checksum, and what format 4 of states has changed
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,7 @@ namespace epode {
 
 struct WorldFileHeader {
     static constexpr std::uint32_t kMagic = 0x77736e65;  // "ensw"
-    static constexpr std::uint16_t kVersion = 1;
+    static constexpr std::uint16_t kVersion = 2;
 
     std::uint32_t magic = kMagic;
     std::uint16_t version = kVersion;

@@ -5,16 +5,18 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/random.h"
 #include "base/structure_edition.h"
-#include "contacts/contact_state.h"
 #include "dynamics/active.h"
 #include "dynamics/body_state.h"
 #include "dynamics/joint_state.h"
-#include "state/state_header.h"
 #include "step/common/link.h"
 
 namespace epode {
 namespace {
+
+constexpr int kAhead = 4;
+constexpr std::uint32_t kSeeded = 1;  // of the flags: the seed of dRand follows
 
 enum GeomBit : std::uint8_t { kEnabled = 1, kPose = 4, kRest = kGeomDisturbed | kGeomAtRest };
 static_assert((kRest & (kEnabled | kPose)) == 0);
@@ -22,120 +24,194 @@ static_assert((kRest & (kEnabled | kPose)) == 0);
 // A geom without a body stays where the program has placed it.
 bool has_own_pose(const Geom& geom) { return geom.type->placeable && !geom.body.id && !is_space(geom); }
 
-struct Counts {
-    std::uint64_t hash;
-    std::uint32_t bodies, joints, geoms, padding;
-};
+std::size_t padded(std::size_t bytes) { return (bytes + 3) / 4 * 4; }
 
 }  // namespace
+
+// ---- structure ----
 
 bool WorldState::prepare(Joints which)
 {
     kept_ = step_state(world_);
+    if (!kept_) return false;
     const std::uint64_t edition = structure_edition();
-    if (edition_ != edition) {
+    const bool same = edition_ == edition;
+    if (!same) {
         edition_ = 0;
-        if (!kept_ || !bodies_.gather(world_) || !geoms_.gather(kept_->world_contacts.live_space()) ||
-            !structure_.measure(world_, bodies_, geoms_))
-            return false;
-        edition_ = edition;
+        if (!find_structure()) return false;
     }
-    joints_.clear();
-    if (!rest_.resize(geoms_.count()) || !joints_.reserve(world_.joints.count())) return false;
-    std::fill(rest_.begin(), rest_.end(), std::uint8_t(0));
-    for (Joint& joint : world_.joints)
-        if (which == Joints::kAll || !is_contact(joint)) (void)joints_.push(&joint);
-    return structure_.measure_joints(joints_.span(), bodies_);
-}
-
-bool WorldState::measure(std::size_t& size)
-{
-    if (!body_bits_.resize(bodies_.count())) return false;
-    for (int i = 0; i < bodies_.count(); ++i) body_bits_[i] = state_bits(bodies_[i]);
-    kept_->world_contacts.mark_rest(geoms_, rest_.span());
-    StateStream counter;
-    if (!save(counter)) return false;
-    size = sizeof(StateHeader) + counter.size();
+    if (!find_joints(which, same)) return false;
+    edition_ = edition;
     return true;
 }
 
-void WorldState::write(std::byte* to, Seal with)
+bool WorldState::find_structure()
 {
-    StateStream stream(to + sizeof(StateHeader));
-    (void)save(stream);  // has the memory of measure()
-    seal(to, sizeof(StateHeader) + std::size_t(stream.at() - (to + sizeof(StateHeader))), StateHeader::kWhole,
-         with);
+    return bodies_.gather(world_) && geoms_.gather(kept_->world_contacts.live_space()) && find_spaces() &&
+           structure_.measure(world_, bodies_, geoms_) && body_bits_.resize(bodies_.count()) &&
+           geom_bits_.resize(geoms_.count());
+}
+
+// Contact joints come and go without a trace in the edition.
+bool WorldState::find_joints(Joints which, bool same)
+{
+    if (same && lasting_ && joints_.size() == world_.joints.count()) return true;
+    lasting_ = false;
+    joints_.clear();
+    if (!joints_.reserve(world_.joints.count()) || !joint_bits_.resize(world_.joints.count())) return false;
+    int contacts = 0;
+    for (Joint& joint : world_.joints) {
+        contacts += is_contact(joint);
+        if (which == Joints::kAll || !is_contact(joint)) (void)joints_.push(&joint);
+    }
+    if (!structure_.measure_joints(joints_.span(), bodies_)) return false;
+    lasting_ = contacts == 0;
+    return true;
+}
+
+bool WorldState::find_spaces()
+{
+    spaces_.clear();
+    bool complete = true;
+    const auto add = [&](Space* space) {
+        if (space && std::find(spaces_.begin(), spaces_.end(), space) == spaces_.end())
+            complete = spaces_.push(space) && complete;
+    };
+    add(kept_->world_contacts.live_space());
+    const Space* last = nullptr;
+    for (const Body* body : bodies_.all())
+        for_each_geom(*body, [&](Geom& geom) {
+            if (geom.space != last) add(geom.space);
+            last = geom.space;
+        });
+    return complete;
+}
+
+bool WorldState::is_locked() const
+{
+    return std::any_of(spaces_.begin(), spaces_.end(), [](const Space* space) { return space->locks > 0; });
+}
+
+std::size_t WorldState::begin_of_parts() const
+{
+    return sizeof(StateHeader) + sizeof(Counts) + padded(structure_.marks().size());
+}
+
+// ---- saving ----
+
+bool WorldState::append(StateBytes& out, Seal with)
+{
+    const std::size_t begin = out.size;
+    StateStream stream(out);
+    stream.set_format(StateHeader::kVersion);
+    (void)stream.block(sizeof(StateHeader));
+    if (!save(stream) || !stream.close()) {
+        out.size = begin;
+        return false;
+    }
+    seal(out.data + begin, out.size - begin, StateHeader::kWhole, with);
+    return true;
 }
 
 bool WorldState::save(StateStream& stream)
 {
+    const bool seeded = world_.acts_as_ode();
     const Counts counts{structure_.hash(), std::uint32_t(structure_.bodies()),
-                        std::uint32_t(structure_.joints()), std::uint32_t(structure_.geoms()), 0};
+                        std::uint32_t(structure_.joints()), std::uint32_t(structure_.geoms()),
+                        seeded ? kSeeded : 0};
     const auto put = [&](const void* from, std::size_t size) {
         if (std::byte* to = stream.block(size); to && size > 0) std::memcpy(to, from, size);
     };
     put(&counts, sizeof counts);
     put(structure_.marks().data(), structure_.marks().size());
-    visit(stream);
+    (void)stream.long_word(world_.step_count);
+    if (seeded) (void)stream.word(ProcessRandom::state());
+    save_objects(stream);
     kept_->contacts.save(bodies_, stream);
     return kept_->world_contacts.save(world_, geoms_, stream);
 }
 
-void WorldState::visit(StateStream& stream)
+// Bits of all objects stand before their numbers, and are known after them.
+void WorldState::save_objects(StateStream& stream)
 {
-    const std::uint64_t steps = stream.long_word(world_.step_count);
-    std::byte* const body_bits = stream.block(sizeof(std::uint16_t) * std::size_t(structure_.bodies()));
-    std::byte* const joint_bits = stream.block(std::size_t(structure_.joints()));
-    std::byte* const geom_bits = stream.block(std::size_t(structure_.geoms()));
-    if (stream.failed()) return;
-    visit_bodies(stream, body_bits);
-    visit_joints(stream, joint_bits);
-    visit_geoms(stream, geom_bits);
-    if (stream.stores()) world_.step_count = steps;
-}
-
-void WorldState::visit_bodies(StateStream& stream, std::byte* bits)
-{
-    constexpr int kAhead = 6;
+    const std::size_t place = stream.failed() ? 0 : stream.written();
+    (void)stream.block(sizeof(std::uint16_t) * std::size_t(structure_.bodies()));
+    (void)stream.block(std::size_t(structure_.joints()));
+    (void)stream.block(std::size_t(structure_.geoms()));
     const int count = bodies_.count();
-    for (int i = 0; i < count && !stream.failed(); ++i) {
-        if (i + kAhead < count) prefetch<5>(bodies_[i + kAhead].pos);
-        std::uint16_t own = stream.saves() ? body_bits_.data()[i] : std::uint16_t(0);
-        std::byte* const at = bits + sizeof own * std::size_t(i);
-        if (!stream.saves())
-            std::memcpy(&own, at, sizeof own);
-        else if (bits)
-            std::memcpy(at, &own, sizeof own);
-        if (state(bodies_[i], own, stream)) body_moved(bodies_[i]);
+    for (int i = 0; i < count; ++i) {
+        if (i + kAhead < count) prefetch_state(bodies_[i + kAhead]);
+        body_bits_.data()[i] = save_state(bodies_[i], stream);
     }
-}
-
-void WorldState::visit_joints(StateStream& stream, std::byte* bits)
-{
     for (int i = 0; i < joints_.size(); ++i) {
         Joint& joint = *joints_.data()[i];
-        if (stream.failed()) return;
-        const std::uint8_t own = stream.saves() ? state_bits(joint) : std::uint8_t(bits[i]);
-        if (stream.saves() && bits) bits[i] = std::byte(own);
-        state(joint, own, stream);
+        joint_bits_.data()[i] = state_bits(joint);
+        state(joint, joint_bits_.data()[i], stream);
     }
-}
-
-void WorldState::visit_geoms(StateStream& stream, std::byte* bits)
-{
-    for (int i = 0; i < geoms_.count() && !stream.failed(); ++i) {
+    std::fill(geom_bits_.begin(), geom_bits_.end(), std::uint8_t(0));
+    kept_->world_contacts.mark_rest(geoms_, geom_bits_.span());
+    for (int i = 0; i < geoms_.count(); ++i) {
         Geom& geom = geoms_[i];
-        unsigned present = geom.enabled ? unsigned(kEnabled) : 0u;
-        present |= rest_.data()[i];
-        if (has_own_pose(geom)) present |= kPose;
-        const std::uint8_t own = stream.saves() ? std::uint8_t(present) : std::uint8_t(bits[i]);
-        if (stream.saves() && bits) bits[i] = std::byte(own);
-        if (!stream.saves()) rest_.data()[i] = own & kRest;
-        take_geom(geom, own, stream);
+        std::uint8_t& bits = geom_bits_.data()[i];
+        bits = std::uint8_t(bits | (geom.enabled ? kEnabled : 0) | (has_own_pose(geom) ? kPose : 0));
+        visit_geom(geom, bits, stream);
+    }
+    if (!stream.failed()) save_bits(stream, place);
+}
+
+void WorldState::save_bits(StateStream& stream, std::size_t place)
+{
+    const auto put = [&](const void* from, std::size_t size) {
+        if (size > 0) std::memcpy(stream.written_at(place), from, size);
+        place += padded(size);
+    };
+    put(body_bits_.data(), sizeof(std::uint16_t) * std::size_t(structure_.bodies()));
+    put(joint_bits_.data(), std::size_t(structure_.joints()));
+    put(geom_bits_.data(), std::size_t(structure_.geoms()));
+}
+
+// ---- loading ----
+
+void WorldState::load(StateStream& stream, bool seeded)
+{
+    const std::uint64_t steps = stream.long_word(0);
+    const std::uint32_t seed = seeded ? stream.word(0) : 0;
+    const std::byte* const body_bits = stream.block(sizeof(std::uint16_t) * std::size_t(structure_.bodies()));
+    const std::byte* const joint_bits = stream.block(std::size_t(structure_.joints()));
+    const std::byte* const geom_bits = stream.block(std::size_t(structure_.geoms()));
+    if (stream.failed()) return;
+    load_bodies(stream, body_bits);
+    load_joints(stream, joint_bits);
+    for (int i = 0; i < geoms_.count() && !stream.failed(); ++i) {
+        const auto own = std::uint8_t(geom_bits[i]);
+        geom_bits_.data()[i] = own & kRest;
+        visit_geom(geoms_[i], own, stream);
+    }
+    if (!stream.stores()) return;
+    world_.step_count = steps;
+    if (seeded && world_.acts_as_ode()) ProcessRandom::set_state(seed);
+}
+
+void WorldState::load_bodies(StateStream& stream, const std::byte* bits)
+{
+    const int count = bodies_.count();
+    const bool stores = stream.stores();
+    for (int i = 0; i < count && !stream.failed(); ++i) {
+        if (stores && i + 2 * kAhead < count) prefetch_state(bodies_[i + 2 * kAhead]);
+        if (stores && i + kAhead < count) prefetch_geoms(bodies_[i + kAhead]);
+        std::uint16_t own;
+        std::memcpy(&own, bits + sizeof own * std::size_t(i), sizeof own);
+        if (load_state(bodies_[i], own, stream)) body_moved(bodies_[i]);
     }
 }
 
-void WorldState::take_geom(Geom& geom, std::uint8_t bits, StateStream& stream)
+void WorldState::load_joints(StateStream& stream, const std::byte* bits)
+{
+    for (int i = 0; i < joints_.size() && !stream.failed(); ++i)
+        state(*joints_.data()[i], std::uint8_t(bits[i]), stream);
+}
+
+void WorldState::visit_geom(Geom& geom, std::uint8_t bits, StateStream& stream)
 {
     const bool posed = bits & kPose;
     if (!stream.demand(posed == has_own_pose(geom), "a geom of the state has a pose and no body, or none"))
@@ -181,8 +257,8 @@ const char* WorldState::check(const std::byte* from, std::size_t size, Seal with
                           kind.world);
             return text_;
         }
-    const std::size_t marks = structure_.marks().size();
-    if (length < sizeof header + sizeof counts + (marks + 3) / 4 * 4) return "the state ends too early";
+    if (length < begin_of_parts()) return "the state ends too early";
+    if (counts.flags & ~kSeeded) return "the state has parts that this library does not know";
     if (counts.hash == structure_.hash()) return nullptr;
     return structure_.difference(reinterpret_cast<const std::uint8_t*>(from + sizeof header + sizeof counts),
                                  text_, sizeof text_);
@@ -192,25 +268,26 @@ const char* WorldState::set(const std::byte* from, std::size_t size, Seal with)
 {
     if (const char* wrong = check(from, size, with)) return wrong;
     StateHeader header;
-    std::memcpy(&header, from, sizeof header);
-    const std::size_t begin = sizeof header + sizeof(Counts) + (structure_.marks().size() + 3) / 4 * 4;
-    const std::size_t length = std::size_t(header.size) - begin;
+    Counts counts;
+    std::memcpy(&header, from, sizeof header), std::memcpy(&counts, from + sizeof header, sizeof counts);
+    const bool seeded = counts.flags & kSeeded;
+    const std::size_t begin = begin_of_parts(), length = std::size_t(header.size) - begin;
     StateStream stream(StateStream::Mode::kCheck, from + begin, length);
-    visit(stream);
-    ContactCache::Loaded cached;
-    ContactWorld::Loaded loaded;
+    stream.set_format(header.version);
+    load(stream, seeded);
     stream.set_mode(StateStream::Mode::kRead);  // into memory of its own
-    if (!stream.failed() && !ContactCache::load(bodies_, stream, cached)) return kOutOfMemory;
-    if (!stream.failed() && !kept_->world_contacts.load(world_, geoms_, stream, loaded)) return kOutOfMemory;
-    if (!stream.failed()) stream.demand(stream.size() == 0, "the state has bytes too many");
+    if (!stream.failed() && !ContactCache::load(bodies_, stream, cached_)) return kOutOfMemory;
+    if (!stream.failed() && !kept_->world_contacts.load(world_, geoms_, stream, loaded_)) return kOutOfMemory;
+    if (!stream.failed()) stream.demand(stream.left() == 0, "the state has bytes too many");
     if (stream.failed()) {
         std::snprintf(text_, sizeof text_, "%s", stream.text());
         return text_;
     }
     StateStream values(StateStream::Mode::kRead, from + begin, length, true);
-    visit(values);
-    kept_->contacts.accept(cached);
-    kept_->world_contacts.accept(loaded, geoms_, rest_.span());
+    values.set_format(header.version);
+    load(values, seeded);
+    kept_->contacts.accept(cached_);
+    kept_->world_contacts.accept(loaded_, geoms_, geom_bits_.span());
     kept_->events.restart(world_, kept_->world_contacts.live_space());
     world_.report_made = false;
     return nullptr;

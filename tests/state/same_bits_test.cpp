@@ -26,14 +26,14 @@ struct Golden {
 };
 
 constexpr Golden kGolden[2][8] = {
-    {{0xd98243acf4b3d4a6, 0xef75b8b512267fa8},
-     {0xfbcf709b030713a7, 0xe56360b27ffdf6a2},
-     {0xc0583c03a8e89826, 0x88d0cf1932967910},
-     {0x9ddab1337c824688, 0x6897307b43320330},
-     {0xce04823d9cfd8a77, 0xc1eefea7890aa431},
-     {0x9c029b6c23d309b1, 0x128765de9ec896a2},
-     {0x14bd25456457ee8f, 0x241bbd8ffb3e1a7e},
-     {0x5c394fcd09668bcf, 0x5b30dc017c4d52f1}},
+    {{0xe038bfa59f986052, 0xe0659a39bc1d4683},
+     {0x77e4ce9af2bce874, 0x5ede3f1fcebecec1},
+     {0xa3ef0fd16270b0c9, 0xca87e257b523bcee},
+     {0x4ff1399db88fb27f, 0x37fae11211b11f83},
+     {0x0cd08814135fa4b1, 0x12e56d1045a16df4},
+     {0x27f1e271d89ae715, 0x9d9f0a2e7ce98b95},
+     {0x4d50d2bc0bbb86ac, 0x4f5bb1bef9c455fb},
+     {0xc93153d9baa59650, 0x3e558e54fa0cd37f}},
     {{0x1fba6016a9fc344d, 0x66a0fbe54834251d},
      {0xec296d43939069d4, 0xd3c2efa8a0dd9422},
      {0x163480238bc6da46, 0x0e7b526c318d9c1e},

@@ -9,27 +9,84 @@
 namespace epode {
 namespace {
 
-constexpr int kLanes = 8;
-constexpr std::uint64_t kFactor = 0xd6e8feb86659fd93u;
+__extension__ typedef unsigned __int128 Product;
 
-std::uint64_t step(std::uint64_t sum, std::uint64_t word) { return std::rotl(sum ^ word, 29) * kFactor; }
+constexpr int kLanes = 4;
+// Odd, and half of their bits are set: splitmix64 of 1, 2 ...
+constexpr std::uint64_t kKeys[kLanes] = {0x910a2dec89025cc1u, 0xbeeb8da1658eec67u, 0xf893a2eefb32555fu,
+                                         0x71c18690ee42c90bu};
+
+std::uint64_t fold(std::uint64_t a, std::uint64_t b)
+{
+    const Product p = Product(a) * b;
+    return std::uint64_t(p) ^ std::uint64_t(p >> 64);
+}
+
+struct Sums {
+    std::uint64_t of[kLanes] = {kKeys[0], kKeys[1], kKeys[2], kKeys[3]};
+
+    void take(const unsigned char* at)
+    {
+        std::uint64_t words[2 * kLanes];
+        std::memcpy(words, at, sizeof words);
+        for (int i = 0; i < kLanes; ++i) of[i] = fold(words[2 * i] ^ of[i], words[2 * i + 1] ^ kKeys[i]);
+    }
+    std::uint64_t end(const unsigned char* at, std::size_t left, std::size_t count)
+    {
+        unsigned char last[kStripe] = {};
+        if (left > 0) std::memcpy(last, at, left);
+        take(last);
+        std::uint64_t sum = count;
+        for (int i = 0; i < kLanes; ++i) sum = fold(sum ^ of[i], kKeys[i]) + of[i];
+        return sum;
+    }
+    static constexpr std::size_t kStripe = 16 * kLanes;
+};
 
 }  // namespace
 
 std::uint64_t checksum(const void* bytes, std::size_t count)
 {
     const auto* at = static_cast<const unsigned char*>(bytes);
-    std::uint64_t sums[kLanes], words[kLanes];
-    for (int i = 0; i < kLanes; ++i) sums[i] = kFactor + std::uint64_t(i);
+    Sums sums;
+    std::size_t left = count;
+    for (; left >= Sums::kStripe; left -= Sums::kStripe, at += Sums::kStripe) sums.take(at);
+    return sums.end(at, left, count);
+}
+
+std::uint64_t copy_and_sum(void* to, const void* bytes, std::size_t count)
+{
+    const auto* at = static_cast<const unsigned char*>(bytes);
+    auto* copy = static_cast<unsigned char*>(to);
+    Sums sums;
+    std::size_t left = count;
+    for (; left >= Sums::kStripe; left -= Sums::kStripe, at += Sums::kStripe, copy += Sums::kStripe) {
+        sums.take(at);
+        std::memcpy(copy, at, Sums::kStripe);
+    }
+    if (left > 0) std::memcpy(copy, at, left);
+    return sums.end(at, left, count);
+}
+
+std::uint64_t checksum_3(const void* bytes, std::size_t count)
+{
+    constexpr int kOldLanes = 8;
+    constexpr std::uint64_t kFactor = 0xd6e8feb86659fd93u;
+    const auto step = [](std::uint64_t sum, std::uint64_t word) {
+        return std::rotl(sum ^ word, 29) * kFactor;
+    };
+    const auto* at = static_cast<const unsigned char*>(bytes);
+    std::uint64_t sums[kOldLanes], words[kOldLanes];
+    for (int i = 0; i < kOldLanes; ++i) sums[i] = kFactor + std::uint64_t(i);
     const auto take = [&] {
-        for (int i = 0; i < kLanes; ++i) sums[i] = step(sums[i], words[i]);
+        for (int i = 0; i < kOldLanes; ++i) sums[i] = step(sums[i], words[i]);
     };
     std::size_t left = count;
     for (; left >= sizeof words; left -= sizeof words, at += sizeof words) {
         std::memcpy(words, at, sizeof words);
         take();
     }
-    std::fill_n(words, kLanes, 0);
+    std::fill_n(words, kOldLanes, 0);
     if (left > 0) std::memcpy(words, at, left);
     take();
     std::uint64_t sum = count;

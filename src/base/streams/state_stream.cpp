@@ -4,6 +4,14 @@
 
 namespace epode {
 
+bool StateStream::grow(std::size_t count)
+{
+    out_->size = written();
+    if (!demand(out_->reserve(out_->size + count), kOutOfMemory)) return false;
+    at_ = out_->data + out_->size, end_ = out_->data + out_->capacity;
+    return true;
+}
+
 void StateStream::number(const Number& n)
 {
     const auto judge = [&](const std::byte* from) {

@@ -3,8 +3,7 @@
 //
 // Converts the state of a world to bytes and back (ode/state.h). Each part of the engine visits its own
 // numbers, in one function for both directions, so that writing and reading cannot disagree:
-//   kMeasure  counts the bytes that kWrite would write
-//   kWrite    writes them to a buffer of the measured size
+//   kWrite    appends them to a block of bytes, which grows
 //   kCheck    reads and checks, and stores nothing
 //   kRead     reads, checks and stores
 // A function that takes a value returns the value to use: the same one when a state is saved, the saved one
@@ -21,6 +20,7 @@
 
 #include "base/check.h"
 #include "base/streams/first_fault.h"
+#include "base/streams/state_bytes.h"
 
 namespace epode {
 
@@ -28,27 +28,43 @@ static_assert(std::endian::native == std::endian::little, "states are little end
 
 class StateStream : public FirstFault {
   public:
-    enum class Mode { kMeasure, kWrite, kCheck, kRead };
+    static constexpr const char* kBadNumber = "a number of the state is not finite, or one that it cannot be";
 
-    StateStream() = default;  // measures
-    // Writes to `to`, whose capacity must be the measured size.
-    explicit StateStream(std::byte* to) : mode_(Mode::kWrite), at_(to) {}
+    enum class Mode { kWrite, kCheck, kRead };
+
+    // Appends to `out`. Whoever has written calls close().
+    explicit StateStream(StateBytes& out)
+        : out_(&out), at_(out.data + out.size), end_(out.data + out.capacity)
+    {}
     // `checked`: the same bytes have been read with kCheck, for the same objects.
     StateStream(Mode mode, const std::byte* from, std::size_t size, bool checked = false)
-        : mode_(mode), checked_(checked), at_(const_cast<std::byte*>(from)), size_(size)
+        : mode_(mode), checked_(checked), at_(const_cast<std::byte*>(from)), end_(at_ + size)
     {}
 
-    bool measures() const { return mode_ == Mode::kMeasure; }
-    bool saves() const { return mode_ <= Mode::kWrite; }
+    bool saves() const { return mode_ == Mode::kWrite; }
     bool stores() const { return mode_ == Mode::kRead; }
     bool is_checked() const { return checked_; }
     // With kRead after kCheck: stores what follows, in objects that nobody uses yet.
     void set_mode(Mode mode) { mode_ = mode; }
     Mode mode() const { return mode_; }
+    // The version of the format that is read or written (state/state_header.h).
+    int format() const { return format_; }
+    void set_format(int format) { format_ = format; }
 
-    // Bytes counted, or left to be read.
-    std::size_t size() const { return size_; }
+    // Bytes that are left to be read.
+    std::size_t left() const { return std::size_t(end_ - at_); }
     const std::byte* at() const { return at_; }
+
+    // While writing: how many bytes the block has, and bytes written so far, to be overwritten.
+    std::size_t written() const { return std::size_t(at_ - out_->data); }
+    std::byte* written_at(std::size_t place) { return out_->data + place; }
+    // False: out of memory.
+    [[nodiscard]] bool close()
+    {
+        if (failed()) return false;
+        out_->size = written();
+        return true;
+    }
 
     std::uint32_t word(std::uint32_t value) { return whole(value); }
     std::uint64_t long_word(std::uint64_t value) { return whole(value); }
@@ -82,24 +98,19 @@ class StateStream : public FirstFault {
         bytes(values, sizeof(float) * std::size_t(count), [](const std::byte*) { return true; });
     }
 
-    // A run of bytes, padded to a multiple of four, which the caller writes or reads directly. Null if too
-    // few bytes are left, or while measuring.
+    // A run of bytes, padded to a multiple of four, which the caller writes or reads directly, before it writes
+    // more. Null if too few bytes are left, or memory is exhausted.
     std::byte* block(std::size_t count)
     {
         const std::size_t whole = (count + 3) / 4 * 4;
-        if (measures()) {
-            size_ += whole;
-            return nullptr;
-        }
-        if (!saves() && !take(whole)) return nullptr;
+        if (!take(whole)) return nullptr;
         std::byte* const begin = at_;
-        if (!saves())
-            size_ -= whole;
-        else if (whole != count)
-            std::memset(begin + count, 0, whole - count);
         at_ += whole;
+        if (saves() && whole != count) std::memset(begin + count, 0, whole - count);
         return begin;
     }
+    // Writes no more than `count` bytes of a block: the others are taken back.
+    void end_block(std::byte* end) { at_ = end; }
 
     struct Number {
         Real* value;
@@ -116,46 +127,45 @@ class StateStream : public FirstFault {
     template <typename T>
     T whole(T value)
     {
-        if (saves()) {
-            bytes(&value, sizeof value, [](const std::byte*) { return true; });
-            return value;
-        }
-        if (!take(sizeof value)) return T(0);
-        std::memcpy(&value, at_, sizeof value);
-        at_ += sizeof value, size_ -= sizeof value;
+        if (!take(sizeof value)) return saves() ? value : T(0);
+        if (saves())
+            std::memcpy(at_, &value, sizeof value);
+        else
+            std::memcpy(&value, at_, sizeof value);
+        at_ += sizeof value;
         return value;
     }
     template <typename Judge>
     void bytes(void* values, std::size_t count, Judge&& judge)
     {
-        switch (mode_) {
-            case Mode::kMeasure:
-                size_ += count;
-                return;
-            case Mode::kWrite:
-                std::memcpy(at_, values, count);
-                at_ += count;
-                return;
-            default:
-                if (!take(count)) return;
-                if (!checked_ && !judge(at_)) return bad_number();
-                if (mode_ == Mode::kRead) std::memcpy(values, at_, count);
-                at_ += count, size_ -= count;
+        if (!take(count)) return;
+        if (saves()) {
+            std::memcpy(at_, values, count);
+        } else {
+            if (!checked_ && !judge(at_)) return bad_number();
+            if (mode_ == Mode::kRead) std::memcpy(values, at_, count);
         }
+        at_ += count;
     }
+    // So many bytes are there, to be read or written.
     bool take(std::size_t count)
     {
         if (failed()) return false;
-        if (size_ < count) [[unlikely]]
-            fail("the state ends too early");
-        return size_ >= count;
+        return std::size_t(end_ - at_) >= count || (saves() ? grow(count) : ends_too_early());
     }
-    [[gnu::cold]] void bad_number() { fail("a number of the state is not finite, or one that it cannot be"); }
+    [[gnu::cold]] bool grow(std::size_t count);
+    [[gnu::cold]] bool ends_too_early()
+    {
+        fail("the state ends too early");
+        return false;
+    }
+    [[gnu::cold]] void bad_number() { fail("%s", kBadNumber); }
 
-    Mode mode_ = Mode::kMeasure;
+    Mode mode_ = Mode::kWrite;
     bool checked_ = false;
-    std::byte* at_ = nullptr;
-    std::size_t size_ = 0;
+    int format_ = 0;
+    StateBytes* out_ = nullptr;
+    std::byte *at_, *end_;
 };
 
 }  // namespace epode

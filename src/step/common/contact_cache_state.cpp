@@ -50,10 +50,11 @@ bool ContactCache::load(const BodyTable& bodies, StateStream& stream, Loaded& ou
 {
     constexpr std::size_t kLeast = 24;  // bytes of a pair
     const std::uint32_t pairs = stream.word(0), points = stream.word(0);
-    if (!stream.demand(pairs <= stream.size() / kLeast && points <= stream.size() / sizeof(float),
+    if (!stream.demand(pairs <= stream.left() / kLeast && points <= stream.left() / sizeof(float),
                        "the state ends too early"))
         return true;
     Store& store = out.store;
+    store.pairs.clear(), store.points.clear(), store.runs.clear();
     store.step = 1;
     if (!store.pairs.reserve(2 * int(pairs)) || !store.points.resize(int(points)) ||
         !store.runs.reserve(int(pairs)) || !out.buckets.resize(buckets_for(int(pairs))))
