@@ -125,11 +125,16 @@ void get_second(const std::byte*& from, std::uint32_t bits, ManifoldFinding& fou
 }
 
 // To the last bit: -0 is something.
-bool has_impulse(const ManifoldPoint& point)
+template <int count>
+bool is_idle(const ContactManifold& manifold)
 {
-    std::uint64_t bits[2];
-    std::memcpy(bits, &point.normal_impulse, sizeof bits);
-    return (bits[0] | bits[1]) != 0;
+    std::uint64_t any = 0;
+    for (int i = 0; i < count; ++i) {
+        std::uint64_t bits[2];
+        std::memcpy(bits, &manifold.points[i].normal_impulse, sizeof bits);
+        any |= bits[0] | bits[1];
+    }
+    return any == 0;
 }
 
 bool is_zero(Float3 v) { return v.x == 0 && v.y == 0 && v.z == 0; }
@@ -147,13 +152,16 @@ void get_rare(const std::byte*& from, std::uint32_t bits, CachedManifold& kept)
     if (bits & kLayer) get<sizeof(float)>(&kept.layer, from);
 }
 
-// `has`: there is one; else it is none.
-void get_impulse(const std::byte*& from, bool has, ManifoldPoint& point)
+template <int count>
+void get_impulses(const std::byte*& from, std::uint32_t bits, ContactManifold& manifold)
 {
-    if (has)
-        get<kImpulse>(&point.normal_impulse, from);
-    else
-        point.normal_impulse = 0, point.friction_impulse = {};
+    for (int i = 0; i < count; ++i) {
+        ManifoldPoint& point = manifold.points[i];
+        if (bits & kIdle)
+            point.normal_impulse = 0, point.friction_impulse = {};
+        else
+            get<kImpulse>(&point.normal_impulse, from);
+    }
 }
 
 std::size_t rare_size(std::uint32_t bits)
@@ -178,9 +186,8 @@ std::uint32_t write(const CachedManifold& kept, float layer, std::byte*& to)
     if (!is_zero(manifold.rolling_impulse))
         bits |= kRoll, put<3 * sizeof(float)>(to, &manifold.rolling_impulse);
     if (kept.layer != layer) bits |= kLayer, put<sizeof(float)>(to, &kept.layer);
-    for (int i = 0; i < count; ++i)
-        if (has_impulse(manifold.points[i]))
-            bits |= kFirstImpulse << i, put<kImpulse>(to, &manifold.points[i].normal_impulse);
+    if (is_idle<count>(manifold)) return bits | kIdle;
+    for (int i = 0; i < count; ++i) put<kImpulse>(to, &manifold.points[i].normal_impulse);
     return bits;
 }
 
@@ -194,7 +201,7 @@ void read(const std::byte* from, std::uint32_t bits, CachedManifold& kept)
     get_row<count>(anchors.separation, from);
     for (int i = 0; i < count; ++i) get<sizeof(float)>(&kept.manifold.points[i].separation, from);
     get_rare(from, bits, kept);
-    for (int i = 0; i < count; ++i) get_impulse(from, bits & kFirstImpulse << i, kept.manifold.points[i]);
+    get_impulses<count>(from, bits, kept.manifold);
 }
 
 template <int count>
@@ -206,7 +213,7 @@ void read_3(const std::byte* from, std::uint32_t bits, CachedManifold& kept)
     get_row<count>(anchors.separation, from);
     get_rare(from, bits, kept);
     for (int i = 0; i < count; ++i) get<sizeof(float)>(&kept.manifold.points[i].separation, from);
-    for (int i = 0; i < count; ++i) get_impulse(from, !(bits & kIdle3), kept.manifold.points[i]);
+    get_impulses<count>(from, bits, kept.manifold);
 }
 
 // f.operator()<count>() of a number that is known when the program runs.
@@ -240,10 +247,8 @@ std::size_t size_of_manifold(std::uint32_t bits)
 {
     const std::size_t count = bits & kPoints;
     const std::size_t second = bits & kBytes ? 1 : bits & kShorts ? 2 : 4;
-    std::size_t impulses = 0;
-    for (int i = 0; i < kManifoldPoints; ++i) impulses += (bits & kFirstImpulse << i) != 0;
-    return kHead + 5 * sizeof(float) * count + whole_words(3 * second * count) + rare_size(bits) +
-           impulses * kImpulse;
+    const std::size_t rows = bits & kIdle ? 5 : 9;
+    return kHead + rows * sizeof(float) * count + whole_words(3 * second * count) + rare_size(bits);
 }
 
 void read_manifold(const std::byte* from, std::uint32_t bits, float layer, CachedManifold& kept)
@@ -254,7 +259,7 @@ void read_manifold(const std::byte* from, std::uint32_t bits, float layer, Cache
 
 std::size_t size_of_manifold_3(std::uint32_t bits)
 {
-    return kHead + sizeof(float) * (bits & kIdle3 ? 8 : 12) * std::size_t(bits & kPoints) + rare_size(bits);
+    return kHead + sizeof(float) * (bits & kIdle ? 8 : 12) * std::size_t(bits & kPoints) + rare_size(bits);
 }
 
 void read_manifold_3(const std::byte* from, std::uint32_t bits, float layer, CachedManifold& kept)

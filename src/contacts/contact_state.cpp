@@ -45,27 +45,12 @@ void load_manifold(std::uint32_t bits, std::uint32_t changes, float layer, State
     kept.found.changes = changes - (bits & kChanged ? 1 : 0);
 }
 
-// The bits of the manifolds of a pair: from its word, and from another one if it has many.
-class ManifoldBits {
-  public:
-    ManifoldBits(std::uint32_t pair_bits, StateStream& stream) : bits_(pair_bits)
-    {
-        if (stream.format() < 4)
-            width_ = kManifoldBits3;
-        else if (int(pair_bits & kManifolds) > kManifoldsInWord)
-            more_ = stream.word(0);
-    }
-    std::uint32_t of(int i) const
-    {
-        const std::uint32_t mask = (1u << width_) - 1;
-        if (width_ == kManifoldBits && i >= kManifoldsInWord) return more_ & mask;
-        return bits_ >> (kFirstManifold + i * width_) & mask;
-    }
-
-  private:
-    std::uint32_t bits_, more_ = 0;
-    int width_ = kManifoldBits;
-};
+// Of a pair's manifold i, from the bits of the pair.
+std::uint32_t bits_of_manifold(std::uint32_t pair_bits, int i, int format)
+{
+    if (format >= 4) return unpacked(pair_bits >> (kFirstManifold + i * kManifoldBits) & 0xff);
+    return pair_bits >> (kFirstManifold + i * kManifoldBits3) & ((1u << kManifoldBits3) - 1);
+}
 
 }  // namespace
 
@@ -165,20 +150,16 @@ void ContactWorld::save_pair(const Listed& listed, float layer, const SpaceGeoms
     std::byte* const bits_at = to;
     word(0);
     if (separated) word(pair.separating_axis);
-    std::byte* const more_at = to;
-    if (pair.count > kManifoldsInWord) word(0);
     const std::uint32_t changes = described_.data()[n1].changes + described_.data()[n2].changes;
-    std::uint64_t all = pair.count | (pair.wanted ? kWanted : 0u) | (pair.touched ? kTouched : 0u) |
-                        (listed.rests ? kRests : 0u) | (separated ? kSeparatingAxis : 0u);
+    std::uint32_t bits = pair.count | (pair.wanted ? kWanted : 0u) | (pair.touched ? kTouched : 0u) |
+                         (listed.rests ? kRests : 0u) | (separated ? kSeparatingAxis : 0u);
     for (int i = 0; i < pair.count; ++i) {
         const CachedManifold& kept = listed.manifolds[i];
-        const std::uint32_t bits = write_manifold(kept, layer, to);
-        all |= std::uint64_t(bits | (kept.found.changes != changes ? kChanged : 0u))
-               << (kFirstManifold + i * kManifoldBits);
+        std::uint32_t own = write_manifold(kept, layer, to);
+        if (kept.found.changes != changes) own |= kChanged;
+        bits |= packed(own) << (kFirstManifold + i * kManifoldBits);
     }
-    const auto low = std::uint32_t(all), high = std::uint32_t(all >> 32);
-    std::memcpy(bits_at, &low, sizeof low);
-    if (pair.count > kManifoldsInWord) std::memcpy(more_at, &high, sizeof high);
+    std::memcpy(bits_at, &bits, sizeof bits);
     stream.end_block(to);
     ++counts.pairs, counts.manifolds += pair.count;
 }
@@ -257,10 +238,9 @@ bool ContactWorld::load_pair(const World& world, StateStream& stream, std::uint3
         pair.leaves = list.leaves.size();
         if (!list.leaves.push(NearLeaves{})) return false;
     }
-    const ManifoldBits of_manifolds(bits, stream);
     const auto layer = float(contact_layer(world));
     for (int i = 0; i < pair.count && !stream.failed(); ++i)
-        load_manifold(of_manifolds.of(i), a.changes + b.changes, layer, stream,
+        load_manifold(bits_of_manifold(bits, i, stream.format()), a.changes + b.changes, layer, stream,
                       list.manifolds.data()[int(used++)]);
     out.any_rests = out.any_rests || bits & kRests;
     (void)list.pairs.push(pair), (void)out.rests.push(bits & kRests ? 1 : 0);

@@ -12,7 +12,9 @@
 namespace epode {
 namespace {
 
-constexpr int kWindow = 8;     // words that must agree to find a place: few, and equal objects are confused
+constexpr int kWindow = 8;  // words that must agree to find a place: few, and equal objects are confused
+// Farther away in the base the same eight words may be those of another object, and what lies between is lost.
+constexpr int kFar = 512, kFarWindow = 32;
 constexpr int kPatience = 16;  // differing words before a place is searched for
 
 // Follows the header.
@@ -63,7 +65,8 @@ class Places {
         if (table_.empty() && !make()) return -2;
         for (std::size_t slot = in.hash(at) & mask(); table_.data()[slot] >= 0; slot = (slot + 1) & mask()) {
             const int place = table_.data()[slot];
-            if (place >= from && alike(base_, place, in, at) >= kWindow) return place;
+            if (place >= from && alike(base_, place, in, at) >= (place - from < kFar ? kWindow : kFarWindow))
+                return place;
             if (++tries_ % kTries == 0) return -1;
         }
         return -1;

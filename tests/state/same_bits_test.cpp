@@ -26,10 +26,10 @@ struct Golden {
 };
 
 constexpr Golden kGolden[2][8] = {
-    {{0xe038bfa59f986052, 0xe0659a39bc1d4683},
-     {0x77e4ce9af2bce874, 0x5ede3f1fcebecec1},
-     {0xa3ef0fd16270b0c9, 0xca87e257b523bcee},
-     {0x4ff1399db88fb27f, 0x37fae11211b11f83},
+    {{0xdb3913f504487713, 0xcee069a4b0d64252},
+     {0x77f7a42aa5d8bd43, 0x64f425a6a7eba041},
+     {0xbb2e1a828ae3a192, 0xd41fa6f000e4650b},
+     {0xfb03d49c3abb15de, 0xdf9a63f26c53c8cd},
      {0x0cd08814135fa4b1, 0x12e56d1045a16df4},
      {0x27f1e271d89ae715, 0x9d9f0a2e7ce98b95},
      {0x4d50d2bc0bbb86ac, 0x4f5bb1bef9c455fb},
