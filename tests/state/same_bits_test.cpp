@@ -34,14 +34,14 @@ constexpr Golden kGolden[2][8] = {
      {0x27f1e271d89ae715, 0x9d9f0a2e7ce98b95},
      {0x4d50d2bc0bbb86ac, 0x4f5bb1bef9c455fb},
      {0xc93153d9baa59650, 0x3e558e54fa0cd37f}},
-    {{0x1fba6016a9fc344d, 0x66a0fbe54834251d},
-     {0xec296d43939069d4, 0xd3c2efa8a0dd9422},
-     {0x163480238bc6da46, 0x0e7b526c318d9c1e},
-     {0x4bed81bdf71f2e36, 0x908b95e31d9c1082},
-     {0x8adc3e990dfa9368, 0x9ba45e091567b610},
-     {0xd237c1c025e4b6aa, 0x2f036e279ff80f72},
-     {0xf74abaf31007bfa0, 0x39e2f1a1220e1ff3},
-     {0x00f376b7b291a901, 0x805fb268b556a9b9}},
+    {{0xaac7a6dca6a7b4f5, 0x5e0afbbd951cc52d},
+     {0x11b44fa67ae0f3bc, 0x1c94819ca170c223},
+     {0x75f627b0eca24988, 0x5c6095efb373c75c},
+     {0xedda81ab890c9d80, 0x48676efb9d70dcfe},
+     {0xb3890eda29b9e830, 0xdf6068f043c82f1c},
+     {0x73296dfe5323ea3c, 0xf5403593b2575424},
+     {0xfd1ce1a998d00c1c, 0xde3fd1967edf8b5b},
+     {0x3a6e362441f75ec6, 0xfbf19ef9c8121fd4}},
 };
 
 class SameBits : public testing::TestWithParam<int> {};

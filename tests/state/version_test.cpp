@@ -22,7 +22,8 @@ struct Version {
 constexpr Version kVersions[] = {{"version_1_double.epw", 10759680517372415681u},
                                  {"version_2_double.epw", 12748480492551412702u}};
 #else
-constexpr Version kVersions[] = {{"version_1_single.epw", 0u}, {"version_2_single.epw", 0u}};
+constexpr Version kVersions[] = {{"version_1_single.epw", 8616090432479375917u},
+                                 {"version_2_single.epw", 8616090432479375917u}};
 #endif
 
 std::uint64_t hash_of_motion(dWorldID world)
