@@ -2,7 +2,11 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Files that are no worlds, and clones and files without memory: refused, with nothing left behind.
+#include <unistd.h>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "../effort.h"
 #include "checksum.h"
@@ -245,6 +249,43 @@ TEST(CopiesWithoutMemory, leave_nothing_behind)
         expect_clean_failures(
             scene, [&] { return dWorldSaveToBuffer(scene.world, scene.space, nullptr, 0) == file.size(); });
     }
+    dSetAllocHandler(nullptr), dSetReallocHandler(nullptr), dSetFreeHandler(nullptr);
+}
+
+// Of a path: what is there stays as it is, and nothing else comes to be.
+TEST(CopiesWithoutMemory, leave_files_as_they_are)
+{
+    const std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) / ("epode_memory_" + std::to_string(::getpid()));
+    std::filesystem::create_directory(folder);
+    const std::string path = folder / "world.epw";
+    const auto put = [&](const char* text) { std::ofstream(path) << text; };
+    const auto is = [&](const char* text) {
+        std::ostringstream content;
+        content << std::ifstream(path).rdbuf();
+        const auto files = std::filesystem::directory_iterator(folder);
+        return content.str() == text && std::distance(begin(files), end(files)) == 1;
+    };
+    dSetAllocHandler(&alloc), dSetReallocHandler(&grow), dSetFreeHandler(&give);
+    {
+        const Messages messages;
+        RichScene scene({.stepper = Stepper::kSmallSteps, .piles = 1});
+        scene.steps(10);
+        expect_clean_failures(scene, [&] {
+            put("another file");
+            if (dWorldSave(scene.world, scene.space, path.c_str()) == 1) return true;
+            EXPECT_TRUE(is("another file"));
+            return false;
+        });
+        expect_clean_failures(scene, [&] {
+            dSpaceID space = nullptr;
+            const dWorldID world = dWorldLoad(path.c_str(), &space);
+            if (!world) return false;
+            const Copy whole(scene, world, space, true);
+            return true;
+        });
+    }
+    std::filesystem::remove_all(folder);
     dSetAllocHandler(nullptr), dSetReallocHandler(nullptr), dSetFreeHandler(nullptr);
 }
 
