@@ -16,7 +16,7 @@ export LC_ALL=C
 nm -D --defined-only "$library" | awk '$NF ~ /^d[A-Z]/ {print $NF}' | sort -u > "$work/exported"
 for header in "$include"/epode/*.h; do echo "#include \"$header\""; done |
     "$cc" -E -P -x c -DODE_API=EPODE_EXPORTED "$@" -I"$include" - | tr '\n' ' ' | tr ';' '\n' |
-    sed -n 's/.*EPODE_EXPORTED[^(]* \**\(dRobot[A-Za-z]*\)(.*/\1/p' | sort -u > "$work/declared"
+    sed -n 's/.*EPODE_EXPORTED[^(]* \**\(d[A-Z][A-Za-z]*\)(.*/\1/p' | sort -u > "$work/declared"
 [ -s "$work/declared" ] || { echo "no name found in $include/epode: the headers were not read"; exit 1; }
 comm -23 "$work/declared" "$work/exported" | sed 's/^/declared, but not exported: /' > "$work/wrong"
 comm -13 "$work/declared" "$work/exported" | sed 's/^/exported, but not declared: /' >> "$work/wrong"

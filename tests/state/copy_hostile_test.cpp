@@ -269,7 +269,7 @@ TEST(CopiesWithoutMemory, leave_files_as_they_are)
     dSetAllocHandler(&alloc), dSetReallocHandler(&grow), dSetFreeHandler(&give);
     {
         const Messages messages;
-        RichScene scene({.stepper = Stepper::kSmallSteps, .piles = 1});
+        RichScene scene({.stepper = Stepper::kSubsteps, .piles = 1});
         scene.steps(10);
         expect_clean_failures(scene, [&] {
             put("another file");

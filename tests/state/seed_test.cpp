@@ -32,7 +32,7 @@ class StateSeed : public testing::Test {
         end = scene.save();
     }
     const Messages messages;
-    Scene scene{{.stepper = Stepper::kQuick, .managed = false, .piles = 3}};
+    Scene scene{{.stepper = Stepper::kQuick, .world_contacts = false, .piles = 3}};
     Bytes begin, end;
     unsigned long seed = 0;
 };
@@ -88,7 +88,7 @@ TEST_F(StateSeed, is_left_alone_by_what_is_refused)
 
 TEST_F(StateSeed, is_left_alone_by_other_worlds)
 {
-    Scene other({.stepper = Stepper::kQuick, .managed = false, .piles = 3});
+    Scene other({.stepper = Stepper::kQuick, .world_contacts = false, .piles = 3});
     other.steps(3);
     const Bytes own = other.save();
     dRandSetSeed(12345);

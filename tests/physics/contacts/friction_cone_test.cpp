@@ -163,12 +163,13 @@ INSTANTIATE_TEST_SUITE_P(Sweeping, Cone, testing::Values(Stepper::kQuick, Steppe
 // to speak of either.
 struct FirmCase {
     Stepper stepper;
-    bool managed;
+    bool world_contacts;
 };
 
 std::string firm_name(const testing::TestParamInfo<FirmCase>& info)
 {
-    return name_of(info.param.stepper) + std::string(info.param.managed ? "_managed" : "_joints");
+    return name_of(info.param.stepper) +
+           std::string(info.param.world_contacts ? "_world_contacts" : "_joints");
 }
 
 class FirmContacts : public testing::TestWithParam<FirmCase> {};
@@ -181,14 +182,14 @@ Slid slide_firmly(const FirmCase& way, double degrees, double cfm, double mass, 
     sim.gravity(kG * std::sin(slope), 0, -kG * std::cos(slope));
     sim.surface.mu = real(0.5);
     dWorldSetCFM(sim.world, real(cfm));
-    if (way.managed) dWorldSetContactSpace(sim.world, sim.space);
+    if (way.world_contacts) dWorldSetContactSpace(sim.world, sim.space);
     dMaterial material;
     dMaterialInit(&material, sizeof material);
     material.friction = real(0.5);
     dGeomSetMaterial(sim.ground(), &material);
     for (int i = 0; i < boxes; ++i)
         dGeomSetMaterial(dBodyGetFirstGeom(sim.box({5.0 * i, 0, 0.5}, {1, 1, 1}, mass)), &material);
-    for (int i = 0; i < int(kSeconds / h); ++i) way.managed ? sim.advance(h) : sim.step(h);
+    for (int i = 0; i < int(kSeconds / h); ++i) way.world_contacts ? sim.advance(h) : sim.step(h);
     Slid out;
     for (int i = 0; i < boxes; ++i) {
         const dBodyID box = sim.bodies[std::size_t(i)];
@@ -203,7 +204,8 @@ TEST_P(FirmContacts, stand_and_slide_without_compliance_as_with_it)
 {
     const double slope = 27 * kPi / 180, speed = 2 * kG * (std::sin(slope) - 0.5 * std::cos(slope));
     const bool soft = GetParam().stepper == Stepper::kFast;
-    const double stands = GetParam().managed || GetParam().stepper == Stepper::kFast ? 2e-3 : tol(1e-5, 1e-4);
+    const double stands =
+        GetParam().world_contacts || GetParam().stepper == Stepper::kFast ? 2e-3 : tol(1e-5, 1e-4);
     for (const double h : {1.0 / 60, 1.0 / 240})
         for (const double mass : {1000.0, 1e-3})
             for (const double cfm : {0.0, 1e-13, 1e-10})
