@@ -40,8 +40,8 @@ const float* color_of_stranger(const dQueryHit& hit)
                            body[] = {0.80f, 0.52f, 0.28f};
     if (dGeomGetBody(hit.geom)) return body;
     if (dGeomGetClass(hit.geom) != dPlaneClass) return dark;
-    const long squares = std::lround(std::floor(hit.pos[0])) + std::lround(std::floor(hit.pos[1]));
-    return squares % 2 == 0 ? light : dark;
+    const double squares = std::floor(double(hit.pos[0])) + std::floor(double(hit.pos[1]));
+    return std::fmod(squares, 2) == 0 ? light : dark;  // of any size
 }
 
 void write_pixel(size_t place, const dQueryHit& hit, double stretch, Vec towards_eye,
