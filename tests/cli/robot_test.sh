@@ -10,9 +10,9 @@ source "$(dirname "$0")/harness.sh"
 
 expect 0 robot check "$models/arm.urdf"
 has out "^URDF 'arm': 4 links, 4 joints, 4 coordinates"
-has out "arm.urdf:40: ignored: <gazebo> in <robot>"
+has out "arm.urdf:40: ignored: <plugin> in <gazebo>"
 expect 1 robot check --strict "$models/arm.urdf"
-has out "arm.urdf:40: error: <gazebo>"
+has out "arm.urdf:40: error: <plugin>"
 expect 0 robot check --json "$models/walker.xml"
 has out '"format": "MJCF"'
 [[ $(number coordinates) == 15 ]] || fail "a walker has 15 coordinates"
