@@ -5,8 +5,8 @@
 // rebound at that moment, as if the program had made the step itself. Forces of the beginning are held
 // constant. ERP and CFM of h become those of h/n for the same spring and damper
 // (solve/common/substep_rows.h). Contacts are not searched again. Their separation follows the motion,
-// error <- error - hs J v; one that has opened may close but not penetrate; rebound acts in the first
-// substep. They act at one point of both bodies, half way between where the two have carried it, so that angular momentum
+// error <- error - hs J v; one that has opened may close but not penetrate; those that touch rebound in every
+// substep by its velocities. They act at one point of both bodies, half way between where the two have carried it, so that angular momentum
 // is conserved. A joint's feedback is the mean of its forces over the substeps, which is the impulse of the
 // step over h; so is what its drives report.
 #include "step/island/exact_substeps.h"
@@ -18,6 +18,7 @@
 #include "dynamics/integrate.h"
 #include "dynamics/joint_drives.h"
 #include "rows/policy.h"
+#include "rows/separating.h"
 #include "solve/common/substep_rows.h"
 #include "step/island/substeps.h"
 #include "step/island/tension.h"
@@ -33,7 +34,8 @@ RowNumbers numbers_of(const Row& row, const Substep& step, Real inverse_mass, in
     const RowAim aim = map_row(row, step, inverse_mass);
     n.C = aim.C;
     n.c = wanted_velocity(row, aim.rate);
-    if (row.kind == RowKind::kNormal && row.error < 0) n.c = row.error / step.hs;
+    if (row.kind != RowKind::kNormal) return n;
+    n.c = row.error < 0 ? row.error / step.hs : separating_target(row, n.c);
     return n;
 }
 
@@ -57,6 +59,9 @@ void carry_contacts(IslandWork& first, IslandWork& work)
         const auto rows = first.system.rows.subspan(std::size_t(from.first), std::size_t(from.count));
         gather_contact(work.island, from, rows);
         to.arms = from.arms;
+        const Row& now = work.system.rows[std::size_t(to.first)];
+        rows[0].restitution_velocity = now.restitution_velocity;
+        rows[0].has_restitution = now.has_restitution && rows[0].error >= 0;
         std::copy(rows.begin(), rows.end(), work.system.rows.begin() + to.first);
     });
 }
@@ -85,7 +90,6 @@ void follow_contacts(IslandWork& first, IslandWork& work)
         const SolverBody* b = from.body2 < 0 ? nullptr : &work.system.bodies[std::size_t(from.body2)];
         Row& normal = first.system.rows[std::size_t(to.first)];
         normal.error -= work.system.h * row_velocity(work.system.rows[std::size_t(from.first)], a, b);
-        normal.has_restitution = false;
         for (int i = 0; i < from.count; ++i)
             first.system.numbers[std::size_t(to.first + i)].p =
                 work.system.numbers[std::size_t(from.first + i)].p;

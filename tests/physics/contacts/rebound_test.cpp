@@ -98,15 +98,15 @@ TEST_P(Rebound, elastic_ball_keeps_its_height_on_contact_joints)
         }
 }
 
-// Newton's cradle whose balls touch, on contact joints: it keeps its energy, and has none to give away.
+// Newton's cradle whose balls touch, on contact joints: it keeps its energy, and has none to give away. Exact substeps
+// do so at every step; what separates must be free to return, or they gain 15 to 43 % at some.
 TEST_P(Rebound, cradle_keeps_its_energy)
 {
-    if (GetParam() == Way::kExactSubsteps)
-        GTEST_SKIP() << "gains 15 %: what separates may not approach again";
-    for (const double h : {1.0 / 240, 1.0 / 500})
+    const bool every = GetParam() == Way::kExactSubsteps;
+    for (const double h : {1.0 / 240, 1.0 / 500, 1.0 / 60, 1.0 / 120, 1.0 / 300, 1.0 / 333, 1.0 / 400}) {
+        if (!every && h != 1.0 / 240 && h != 1.0 / 500) continue;
         for (const double gap : {0.0, 1e-3}) {
-            if (kSingle && gap == 0)
-                continue;  // rounding opens and closes the contacts of balls that hang still
+            if (kSingle && gap == 0 && !every) continue;  // rounding opens and closes what hangs still
             constexpr double kRadius = 0.05, kLength = 1;
             Sim sim;
             sim.gravity(0, 0, -9.81);
@@ -130,6 +130,7 @@ TEST_P(Rebound, cradle_keeps_its_energy)
             EXPECT_LT(largest, 1.01 * whole) << "h = " << h << ", gap = " << gap;
             EXPECT_GT(energy(sim) - bottom, 0.97 * whole) << "h = " << h << ", gap = " << gap;
         }
+    }
 }
 
 }  // namespace
