@@ -27,21 +27,21 @@ struct Golden {
 
 constexpr Golden kGolden[2][8] = {
     {{0xdb3913f504487713, 0xcee069a4b0d64252},
-     {0x77f7a42aa5d8bd43, 0x64f425a6a7eba041},
+     {0x4e95b8b3deac5511, 0x68149e02fd247518},
      {0x19c5f23d23913e48, 0x9ea9d6a747f9804c},
      {0xfb03d49c3abb15de, 0xdf9a63f26c53c8cd},
      {0xb6d6280819aa1fcb, 0x501875c6b0c672bf},
-     {0xdf7543b4555938fb, 0x709922ae21ded7db},
+     {0xbf808c970fa32d19, 0xc3b7e413a1640b40},
      {0x4dcc749550846fdf, 0x7c1e942319ef0eba},
      {0xf8c3752cd41473c6, 0x6d82db47ca8829fe}},
     {{0xaac7a6dca6a7b4f5, 0x5e0afbbd951cc52d},
-     {0x11b44fa67ae0f3bc, 0x1c94819ca170c223},
+     {0x362a5bc67ddc4456, 0xcc1e012ded17fe47},
      {0x75f627b0eca24988, 0x5c6095efb373c75c},
      {0xedda81ab890c9d80, 0x48676efb9d70dcfe},
-     {0xb3890eda29b9e830, 0xdf6068f043c82f1c},
-     {0x73296dfe5323ea3c, 0xf5403593b2575424},
-     {0xfd1ce1a998d00c1c, 0xde3fd1967edf8b5b},
-     {0x3a6e362441f75ec6, 0xfbf19ef9c8121fd4}},
+     {0x05778e17d9fdd2d0, 0x09cc6c957ce07daa},
+     {0x9e182f2fdfa90b77, 0xcaff227ef963814f},
+     {0x4524df183764e66a, 0x074e5a99261fbadf},
+     {0xa45ee51ed0bfb8c0, 0x45209a98fa84d681}},
 };
 
 class SameBits : public testing::TestWithParam<int> {};
