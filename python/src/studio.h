@@ -7,8 +7,8 @@
 
 #include <vector>
 
-#include "record/output/animation.h"
 #include "record/file/recording.h"
+#include "record/output/animation.h"
 #include "record/output/tessellate.h"
 #include "viewer/picture.h"
 

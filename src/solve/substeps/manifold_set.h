@@ -47,7 +47,7 @@ class ManifoldSet {
     // beginning, body by body, so it needs no visit to the contacts.
     void apply_impulses(std::span<Velocity> bodies) const;
     void apply_impulses(std::span<SolverBody> bodies) const;  // the same
-    void follow_motion(std::span<const Velocity> bodies);  // the bodies move for hs
+    void follow_motion(std::span<const Velocity> bodies);     // the bodies move for hs
     void store_impulses(std::span<ContactManifold* const> manifolds) const;
     // After that: the restitution times the approach of each point of each manifold, if it approached fast
     // enough and carried an impulse, or separated; else 0. Empty if nothing has restitution. False: out of
