@@ -7,7 +7,7 @@
 //          t.g = 0,  (s x t).g = 0                g = x2 + R2 s2 - x1 - R1 s1: the gap between the anchors
 //   J    = [ 0, d, 0, -d ]  for d = p, t;         [ d, D x d, -d, -(r2 x d) ]  for d = t, s x t,
 //                                                 D = x2 + R2 s2 - x1
-//   stops and motors along s (value -s.g, its derivative [ s, D x s, -s, -(r2 x s) ]) and about a1.
+//   stops and motors along s (value -s.g) and about a1.
 // Axes that are not perpendicular, which ODE forbids without a check, still make a sound joint here: turning
 // is locked across a, sliding across s. Attached as (0, B), position and angle change sign; the stop of the
 // position follows the reading, that of the angle keeps the sign of node 0, as in ODE.
@@ -96,8 +96,7 @@ void PR::emit(RowWriter& out)
     out.row(angular_jacobian(*this, t), dot(u, t));
     lock_level(*this, out, anchor, cross(s, t));
     lock_level(*this, out, anchor, t);
-    const Jacobian along = separated_jacobian(*this, anchor, slide_motion());
-    motor[0].emit(*this, out, along, position(), rate_along(*this, along));
+    motor[0].emit_linear(*this, out, slide_motion(), position());
     motor[1].emit_angular(*this, out, a1, motor[1].has_stops() ? angle() : 0);
 }
 

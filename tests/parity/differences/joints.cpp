@@ -210,28 +210,6 @@ DIFFERENCE(D40, sideways, "a PR joint whose axes are not perpendicular still hol
     return std::fabs(p[2] - 0.6 * p[0]) < 1e-3 && std::hypot(w[0], w[1]) < 1e-3;
 }
 
-DIFFERENCE(D45, stop, "the stop of a PR joint holds a body off the slide")
-{
-    const World world;
-    dWorldSetGravity(world.id, 0, 0, -9.81);
-    const dBodyID b = world.body(0.5, 0.1, 0.2);
-    const dJointID j = attached(dJointCreatePR(world.id, nullptr), b, nullptr);
-    dJointSetPRAnchor(j, 0, 0, 0);
-    dJointSetPRAxis1(j, 0.6, 0, 0.8);
-    dJointSetPRAxis2(j, 0, 1, 0);
-    dJointSetPRParam(j, dParamLoStop, -0.3);
-    dJointSetPRParam(j, dParamHiStop, 0.3);
-    double fastest = 0;
-    for (int i = 0; i < 1000; ++i) {
-        world.step();
-        double v[3];
-        for (int k = 0; k < 3; ++k) v[k] = dBodyGetLinearVel(b)[k];
-        fastest = std::fmax(fastest, size(v));
-    }
-    note("position", dJointGetPRPosition(j)), note("fastest", fastest);
-    return std::fabs(dJointGetPRPosition(j)) < 0.31 && fastest < 10;
-}
-
 DIFFERENCE(D41, axis, "a double hinge without an axis keeps its bodies' numbers finite")
 {
     const World world;
