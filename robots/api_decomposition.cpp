@@ -79,6 +79,7 @@ int dCreateConvexDecomposition(dSpaceID space, const dReal* vertices, int vertex
     CHECK(are_good(options),
           "NULL, or options with their size, a tolerance of 0 or more, and 0 or at least 4 vertices");
     CHECK(!report || report->struct_size == sizeof(dDecompositionReport), "NULL, or a report with its size");
+    CHECK(!space || is_space(space), "a space or NULL");
     return guarded(__func__, [&] {
         PartSettings settings;
         settings.max_parts = capacity;
