@@ -65,6 +65,11 @@ void get_row(float (&row)[kManifoldPoints], const std::byte*& from)
     for (int i = count; i < kManifoldPoints; ++i) row[i] = row[count - 1];
 }
 
+// Bits of numbers as integers that wrap: what is far from its prediction, of another sign for instance, comes back too.
+using WordQuad = std::uint32_t __attribute__((vector_size(16)));
+IntQuad sum(IntQuad a, IntQuad b) { return IntQuad(WordQuad(a) + WordQuad(b)); }
+IntQuad difference(IntQuad a, IntQuad b) { return IntQuad(WordQuad(a) - WordQuad(b)); }
+
 // From what is predicted to what is.
 struct Differences {
     IntQuad row[3];
@@ -99,7 +104,7 @@ void get_small(const std::byte*& from, ManifoldFinding& found)
     from += -sizeof small % 4;
     for (int k = 0; k < 3; ++k) {
         const auto own = [&](int i) { return std::int32_t(small[k][i < count ? i : count - 1]); };
-        store_ints(found.anchors.a2[k], predicted.row[k] + IntQuad{own(0), own(1), own(2), own(3)});
+        store_ints(found.anchors.a2[k], sum(predicted.row[k], IntQuad{own(0), own(1), own(2), own(3)}));
     }
 }
 
@@ -108,7 +113,8 @@ std::uint32_t put_second(const ManifoldFinding& found, std::byte*& to)
 {
     const Predicted predicted(found, found.anchors.a1);
     Differences differences;
-    for (int k = 0; k < 3; ++k) differences.row[k] = load_ints(found.anchors.a2[k]) - predicted.row[k];
+    for (int k = 0; k < 3; ++k)
+        differences.row[k] = difference(load_ints(found.anchors.a2[k]), predicted.row[k]);
     const std::uint32_t largest = differences.largest<count>();
     if (largest < 1u << 7) return put_small<std::int8_t, count>(to, differences), kBytes;
     if (largest < 1u << 15) return put_small<std::int16_t, count>(to, differences), kShorts;
