@@ -16,6 +16,7 @@
 #include "robots/inverse.h"
 #include "robots/kinematics.h"
 #include "robots/load.h"
+#include "robots/sensor_kinds.h"
 #include "robots/sensors.h"
 #include "robots/write/write.h"
 
