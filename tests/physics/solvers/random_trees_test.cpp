@@ -4,8 +4,9 @@
 // Trees of 1 to 6 boxes, 2 to 60 cm a side and 0.2 to 5 kg, on joints of six types, let go at rest: a hundred machines as a
 // program might build them, none made for the solver. Joints do no work, so that none may end up with more energy than it
 // began with, but for what position correction and a first-order step add. Exact joints (dWorldStep; substeps with exact
-// joints) hold to that in all of them. Sweeps that end early do not in some (docs/solvers.md counts them), and are not
-// judged here. The PR joint is left out: its rows are ODE's, whose couple is not balanced.
+// joints) hold to that in all of them. Sweeps that end early do not in some, of which no change may make more. The PR joint
+// is left out: the row of its stops is ODE's, which does not see that body 1 turns about the anchor, and drives what is off
+// the slide away.
 #include <algorithm>
 #include <vector>
 
@@ -16,7 +17,20 @@ namespace {
 
 constexpr double kG = 9.81;
 
-enum class Way { kExact, kExactJoints };
+// How trees are stepped, and how many of the hundred may gain energy.
+struct Way {
+    const char* name;
+    int (*step)(dWorldID, dReal);
+    int max_gains;
+};
+
+int with_exact_joints(dWorldID world, dReal h)
+{
+    dWorldSetHybridStepper(world, dStepperSubstepsExactJoints);
+    return dWorldStepHybrid(world, h);
+}
+
+int in_substeps(dWorldID world, dReal h) { return dWorldStepFast1(world, h, 8); }
 
 V3 unit(Random& random)
 {
@@ -143,29 +157,36 @@ class Tree {
 
 class RandomTrees : public testing::TestWithParam<Way> {};
 
+bool gains_energy(Tree& tree, const Way& way)
+{
+    const double start = tree.energy();
+    for (int i = 0; i * tree.h < 4; ++i) {
+        EXPECT_EQ(way.step(tree.sim.world, real(tree.h)), 1);
+        if (!(tree.energy() < start + 0.02 * tree.fall())) return true;
+    }
+    return false;
+}
+
 TEST_P(RandomTrees, gain_no_energy)
 {
+    int gains = 0;
+    std::string which;
     for (int number = 0; number < 100; ++number) {
         Tree tree(number);
-        if (GetParam() == Way::kExactJoints)
-            dWorldSetHybridStepper(tree.sim.world, dStepperSubstepsExactJoints);
-        const double start = tree.energy();
-        for (int i = 0; i * tree.h < 4; ++i) {
-            if (GetParam() == Way::kExact)
-                ASSERT_EQ(dWorldStep(tree.sim.world, real(tree.h)), 1);
-            else
-                ASSERT_EQ(dWorldStepHybrid(tree.sim.world, real(tree.h)), 1);
-            ASSERT_LT(tree.energy(), start + 0.02 * tree.fall()) << "tree " << number << ", step " << i;
-        }
+        if (!gains_energy(tree, GetParam())) continue;
+        ++gains;
+        which += ' ' + std::to_string(number);
     }
+    EXPECT_LE(gains, GetParam().max_gains) << which;
 }
 
-std::string name_of_way(const testing::TestParamInfo<Way>& way)
-{
-    return way.param == Way::kExact ? "exact" : "exact_joints";
-}
+std::string name_of_way(const testing::TestParamInfo<Way>& way) { return way.param.name; }
 
-INSTANTIATE_TEST_SUITE_P(Ways, RandomTrees, testing::Values(Way::kExact, Way::kExactJoints), name_of_way);
+INSTANTIATE_TEST_SUITE_P(Ways, RandomTrees,
+                         testing::Values(Way{"exact", dWorldStep, 0},
+                                         Way{"exact_joints", with_exact_joints, 0},
+                                         Way{"quick", dWorldQuickStep, 6}, Way{"substeps", in_substeps, 9}),
+                         name_of_way);
 
 }  // namespace
 }  // namespace epode::physics
