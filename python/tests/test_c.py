@@ -56,9 +56,9 @@ NUMBERS = (0, 1, 1, -1, 2, 0.5, 3, 0.1, 1e300, float("nan"), float("inf"))
 
 
 def parameter_types():
-    """{function: what the stub says of each parameter}."""
-    stub = ast.parse(resources.files("epode").joinpath("_c.pyi").read_text())
-    return {f.name: [ast.unparse(a.annotation) for a in f.args.args] for f in stub.body if isinstance(f, ast.FunctionDef)}
+    """{function: what _c.pyi says of each parameter}."""
+    tree = ast.parse(resources.files("epode").joinpath("_c.pyi").read_text())
+    return {f.name: [ast.unparse(a.annotation) for a in f.args.args] for f in tree.body if isinstance(f, ast.FunctionDef)}
 
 
 def value(rng, kind, handles):

@@ -59,24 +59,24 @@ def test_stubs_are_what_there_is_at_run_time(tmp_path):
     assert [line for line in said if not NATURE.search(line)] == []
 
 
-def stub():
+def tree_of_types():
     return ast.parse(resources.files("epode").joinpath("_c.pyi").read_text())
 
 
 def test_stubs_have_every_function_with_its_text():
-    functions = {node.name: node for node in stub().body if isinstance(node, ast.FunctionDef)}
+    functions = {node.name: node for node in tree_of_types().body if isinstance(node, ast.FunctionDef)}
     for name, how in c.coverage().items():
         if not how.startswith("left out"):
             node = functions[name]
             assert node.returns is not None and all(a.annotation is not None for a in node.args.args), name
             assert ast.get_docstring(node), name
             assert getattr(c, name).__doc__.startswith(f"{name}("), name
-    classes = {node.name for node in stub().body if isinstance(node, ast.ClassDef)}
+    classes = {node.name for node in tree_of_types().body if isinstance(node, ast.ClassDef)}
     assert {n for n in dir(c) if n.startswith("d") and isinstance(getattr(c, n), type)} <= classes
 
 
 def test_signatures_written_by_hand_are_those_of_the_binding():
-    functions = {node.name: node for node in stub().body if isinstance(node, ast.FunctionDef)}
+    functions = {node.name: node for node in tree_of_types().body if isinstance(node, ast.FunctionDef)}
     source = "".join((HERE.parent / "src" / name).read_text() for name in ("written.cpp", "arrays.cpp", "callbacks.cpp"))
     for name, how in c.coverage().items():
         bound = re.search(rf'"{name}",((?:(?!m\.def).)*?)TEXT\({name}\)', source, re.S)

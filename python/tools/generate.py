@@ -146,7 +146,7 @@ def type_of_result(ctype, name):
 
 
 def signature(name, taken, result):
-    """As a stub has it."""
+    """As _c.pyi has it."""
     parameters = ", ".join(f"{p.name}: {p.type}" for p in taken if p.taken)
     types = type_of_result(result, name) + [p.out_type for p in taken if p.out]
     returned = "None" if not types else types[0] if len(types) == 1 else f"tuple[{', '.join(types)}]"

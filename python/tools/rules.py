@@ -4,7 +4,7 @@
 out and why. The first pattern that matches a name counts."""
 
 # Bound by hand in src/written.cpp, src/arrays.cpp, src/shapes.cpp or src/callbacks.cpp, where sizes of arrays or callbacks need care: the signature, which
-# the stub and the docstring have. FloatArray is NDArray[float64]; structured arrays are NDArray[Any].
+# _c.pyi and the docstring have. FloatArray is NDArray[float64]; structured arrays are NDArray[Any].
 _OF_WORLD = "(world: dWorldID | None) -> NDArray[Any]"
 _HEIGHTS = ("(d: dHeightfieldDataID | None, heights: ArrayLike, width: float, depth: float, scale: float = 1.0, "
             "offset: float = 0.0, thickness: float = 0.0, bWrap: bool = False) -> None")
