@@ -3,6 +3,7 @@
 //
 // States on a heap that fails at each allocation in turn: refused with one message and nothing changed, or
 // done; and when memory is back the world goes on with the bits of its state.
+#include "../effort.h"
 #include "heap.h"
 
 namespace epode::memory {
@@ -90,7 +91,7 @@ TEST_P(StateExhaustion, each_allocation_may_fail_and_nothing_changes)
     int tried = 0;
     for (const bool for_good : {false, true})
         for (int what = 0; what < 4; ++what)
-            for (long n = 0;; ++n) {
+            for (long n = 0;; n += tests::kSanitized ? 5 : 1) {
                 World w(GetParam());  // a world keeps the memory of earlier calls
                 w.steps(65);
                 const std::uint64_t before = hash_of(w.bodies);
@@ -114,7 +115,7 @@ TEST_P(StateExhaustion, each_allocation_may_fail_and_nothing_changes)
                 if (!failed) break;
                 ++tried;
             }
-    EXPECT_GT(tried, 30);
+    EXPECT_GT(tried, tests::effort(30));
 }
 
 // What a step that fails takes back is all that a state holds.

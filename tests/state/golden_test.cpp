@@ -3,6 +3,7 @@
 //
 // A world that is given its state back goes on as it did: the states of later steps, which hold all that
 // steps read, have the same bytes. So does another world of the same structure, on any number of threads.
+#include "../effort.h"
 #include "scene.h"
 
 namespace epode::states {
@@ -23,7 +24,8 @@ std::vector<Setting> settings()
     all.push_back({.exact_rotation = true});
     all.push_back({.stepper = Stepper::kSubsteps, .sleeps = false});
     all.push_back({.stepper = Stepper::kSubsteps, .joints = false, .piles = 40});
-    return all;
+    if (!tests::kSanitized) return all;
+    return {all[0], all[3], all[4], all[7]};  // each stepper once, both ways of contacts
 }
 
 TEST(State, goes_on_with_the_same_bits)
@@ -63,6 +65,7 @@ TEST(State, goes_on_with_the_same_bits_on_any_number_of_threads)
         one.steps(25);
         const Bytes end = one.save();
         for (const int threads : {2, 3, 8}) {
+            if (tests::kSanitized && threads > 2) break;
             Scene many({.stepper = stepper, .piles = 60, .threads = threads});
             ASSERT_TRUE(many.load(begin));
             many.steps(25);
