@@ -38,6 +38,7 @@ ROOMS = {
     "base": {
         "": set(),
         "streams": {""},
+        "objects": {""},
     },
     "geometry": {
         "": set(),

@@ -39,12 +39,8 @@ int rows_apart(const void* bodies, int count, unsigned fields, const void* rows,
     return stride >= width ? stride : 0;
 }
 
-// Of a handle that all_live has judged: without a second look at the tag, whose cache line is not needed again.
-Body* known(dBodyID body)
-{
-    return reinterpret_cast<Body*>(reinterpret_cast<std::uintptr_t>(body) &
-                                   ~std::uintptr_t(kGenerations - 1));
-}
+// all_live has looked at the tag, whose cache line is not needed again.
+Body* known(dBodyID body) { return from_judged_handle<Body>(body); }
 
 bool all_live(const dBodyID* bodies, int count)
 {

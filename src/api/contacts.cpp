@@ -4,7 +4,7 @@
 // The C functions of world-managed contacts.
 #include "ode/contacts.h"
 
-#include "base/structure_edition.h"
+#include "base/objects/structure_edition.h"
 #include "collide/types/registry.h"
 #include "contacts/material.h"
 #include "dynamics/world.h"

@@ -4,7 +4,7 @@
 // Coordinates of joints and drives on them, for joints of any type.
 #include <cstdio>
 
-#include "base/struct_size.h"
+#include "base/objects/struct_size.h"
 #include "dynamics/coupling.h"
 #include "dynamics/world.h"
 #include "joints/drive_rows.h"

@@ -4,7 +4,7 @@
 // Events and sensors, as C functions.
 #include "ode/events.h"
 
-#include "base/struct_size.h"
+#include "base/objects/struct_size.h"
 #include "collide/types/registry.h"
 #include "step/step.h"
 

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The pose of a geom in its body's frame, (p_o, R_o): the geom is at p_b + R_b p_o, turned by R_b R_o.
-#include "base/structure_edition.h"
+#include "base/objects/structure_edition.h"
 #include "collide/types/registry.h"
 #include "step/common/link.h"
 

@@ -5,7 +5,7 @@
 // stand in that type's file.
 #include <algorithm>
 
-#include "base/pool.h"
+#include "base/objects/pool.h"
 #include "base/prefetch.h"
 #include "dynamics/coupling.h"
 #include "dynamics/joint_drives.h"

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The energy ledger of the last step, as C functions.
-#include "base/struct_size.h"
+#include "base/objects/struct_size.h"
 #include "ode/report.h"
 #include "step/island/energy_ledger.h"
 #include "step/step.h"

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "api/behaviour.h"
-#include "base/pool.h"
-#include "base/struct_size.h"
+#include "base/objects/pool.h"
+#include "base/objects/struct_size.h"
 #include "dynamics/world.h"
 #include "ode/ext.h"
 #include "ode/ode.h"

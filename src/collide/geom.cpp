@@ -9,7 +9,7 @@
 #include <new>
 
 #include "base/memory.h"
-#include "base/structure_edition.h"
+#include "base/objects/structure_edition.h"
 #include "collide/geom_leaves.h"
 #include "collide/space.h"
 #include "collide/transform.h"

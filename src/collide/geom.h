@@ -13,7 +13,7 @@
 
 #include <atomic>
 
-#include "base/handle.h"
+#include "base/objects/handle.h"
 #include "base/prefetch.h"
 #include "geometry/shapes.h"
 #include "ode/collision.h"

@@ -8,7 +8,7 @@
 // queries the mesh's tree without them.
 #pragma once
 
-#include "base/pool.h"
+#include "base/objects/pool.h"
 #include "bvh/near_leaves.h"
 #include "collide/geom.h"
 

@@ -15,7 +15,7 @@
 
 #include "base/hash.h"
 #include "base/memory.h"
-#include "base/pool.h"
+#include "base/objects/pool.h"
 
 namespace epode {
 namespace {

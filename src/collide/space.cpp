@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
+#include "base/objects/structure_edition.h"
 #include "base/prefetch.h"
-#include "base/structure_edition.h"
 
 namespace epode {
 namespace {

@@ -8,7 +8,7 @@
 // what slow motion sees, and exact where they are equal.
 #pragma once
 
-#include "base/struct_size.h"
+#include "base/objects/struct_size.h"
 #include "collide/geom.h"
 #include "ode/contacts.h"
 #include "rows/contact_manifold.h"

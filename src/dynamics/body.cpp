@@ -5,9 +5,9 @@
 // are zero for a kinematic body and the inverses of the stored mass otherwise.
 #include "dynamics/body.h"
 
-#include "base/pool.h"
+#include "base/objects/pool.h"
+#include "base/objects/structure_edition.h"
 #include "base/streams/content_hash.h"
-#include "base/structure_edition.h"
 #include "dynamics/active.h"
 #include "dynamics/joint.h"
 #include "dynamics/world.h"

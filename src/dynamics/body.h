@@ -9,7 +9,7 @@
 #pragma once
 
 #include "base/array.h"
-#include "base/handle.h"
+#include "base/objects/handle.h"
 #include "math/pose.h"
 #include "ode/mass.h"
 #include "ode/objects.h"

@@ -171,6 +171,8 @@ void forget_watch(Body& body)
 // Of what a state brings. A contact's normal is that of the state, turned by R: together they stay within what a step allows (1e-3).
 constexpr Real kUnitTolerance = Real(1e-4);
 
+bool is_unit(const Quat& q) { return std::fabs(q.w * q.w + length2(q.vec()) - 1) < kUnitTolerance; }
+
 bool is_rotation(const Real* R)
 {
     const Mat3 m = load_mat(R), product = m * transpose(m);
@@ -189,9 +191,7 @@ struct Orientation {
 
 bool is_sound(const Orientation& o, std::uint16_t bits, StateStream& stream)
 {
-    const Quat unit = load_quat(o.q);
-    const Real norm2 = unit.w * unit.w + length2(unit.vec());
-    return stream.demand(std::fabs(norm2 - 1) < kUnitTolerance, kNoUnit) &&
+    return stream.demand(is_unit(load_quat(o.q)), kNoUnit) &&
            (!(bits & kMatrix) || stream.demand(is_rotation(o.R), "a matrix of the state is no rotation"));
 }
 
@@ -311,11 +311,9 @@ void check_plain(std::uint16_t bits, StateStream& stream)
 {
     const std::byte* const from = stream.block(plain_bytes(bits));
     if (!from) return;
-    const Quat q = quaternion_at(from, 3);
-    const Real norm2 = q.w * q.w + length2(q.vec());
     (void)(stream.demand(all_finite(from, bits & kVelocity ? kMotionNumbers : kPoseNumbers),
                          StateStream::kBadNumber) &&
-           stream.demand(std::fabs(norm2 - 1) < kUnitTolerance, kNoUnit));
+           stream.demand(is_unit(quaternion_at(from, 3)), kNoUnit));
 }
 
 bool take_plain(Body& body, std::uint16_t bits, StateStream& stream)

@@ -5,7 +5,7 @@
 // a thousand contacts on one body come and go at constant cost.
 #include "dynamics/joint.h"
 
-#include "base/structure_edition.h"
+#include "base/objects/structure_edition.h"
 #include "dynamics/coupling.h"
 #include "dynamics/joint_group.h"
 #include "dynamics/world.h"

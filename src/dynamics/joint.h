@@ -7,7 +7,7 @@
 // `reverse`, as ODE does, so rows are always written from node 0's side.
 #pragma once
 
-#include "base/handle.h"
+#include "base/objects/handle.h"
 #include "dynamics/body.h"
 #include "ode/objects.h"
 #include "rows/row.h"

@@ -5,7 +5,7 @@
 #include <new>
 
 #include "base/memory.h"
-#include "base/structure_edition.h"
+#include "base/objects/structure_edition.h"
 #include "dynamics/world.h"
 
 namespace epode {

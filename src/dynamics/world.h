@@ -6,8 +6,8 @@
 // `step_state` belongs to step/, the only folder that knows what survives from one step to the next.
 #pragma once
 
-#include "base/handle.h"
-#include "base/roster.h"
+#include "base/objects/handle.h"
+#include "base/objects/roster.h"
 #include "base/step_memory.h"
 #include "dynamics/body.h"
 #include "dynamics/joint.h"

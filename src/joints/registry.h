@@ -7,7 +7,7 @@
 // type from an archive.
 #pragma once
 
-#include "base/pool.h"
+#include "base/objects/pool.h"
 #include "base/refusals.h"
 #include "base/streams/state_stream.h"
 #include "base/streams/structure_stream.h"

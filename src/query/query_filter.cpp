@@ -5,7 +5,7 @@
 #include "query/query_filter.h"
 
 #include "base/float_environment.h"
-#include "base/struct_size.h"
+#include "base/objects/struct_size.h"
 
 namespace epode {
 

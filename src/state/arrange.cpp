@@ -10,7 +10,7 @@
 #include <cstring>
 #include <new>
 
-#include "base/structure_edition.h"
+#include "base/objects/structure_edition.h"
 #include "collide/describe.h"
 #include "collide/space.h"
 #include "dynamics/coupling.h"

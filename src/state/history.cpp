@@ -5,7 +5,7 @@
 #include <atomic>
 #include <new>
 
-#include "base/structure_edition.h"
+#include "base/objects/structure_edition.h"
 #include "collide/geom_leaves.h"
 #include "collide/space.h"
 #include "state/world_archive.h"

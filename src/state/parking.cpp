@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 #include "state/parking.h"
 
-#include "base/pool.h"
+#include "base/objects/pool.h"
 
 namespace epode {
 

@@ -5,7 +5,7 @@
 // Sizes of both kinds, whole states and differences between two (state/delta.h), are multiples of four bytes.
 // The version must change whenever a part of the engine writes something else; the one before is still read:
 // files of worlds have it (tests/state/version_test.cpp).
-//   3 -> 4   contact manifolds (contacts/contact_format.h), the seed of dRand (state/world_state.h),
+//   3 -> 4   contact manifolds (contacts/state/contact_format.h), the seed of dRand (state/world_state.h),
 //            checksum
 #pragma once
 

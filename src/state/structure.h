@@ -5,7 +5,7 @@
 // creation, with mass and geoms of each body, type and bodies of each joint, and class, shape, offset and
 // body of each geom. One hash covers all, and one byte marks each object, so that an error can name the first
 // one that differs. Geoms are those of the space of the world-managed contacts, and those of the bodies.
-// Bodies and geoms are measured again only when some structure has changed (base/structure_edition.h); joints,
+// Bodies and geoms are measured again only when some structure has changed (base/objects/structure_edition.h); joints,
 // among them the contact joints of the last step, every time.
 #pragma once
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "base/structure_edition.h"
+#include "base/objects/structure_edition.h"
 #include "collide/describe.h"
 #include "collide/space.h"
 #include "step/common/link.h"

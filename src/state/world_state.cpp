@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/objects/structure_edition.h"
 #include "base/random.h"
-#include "base/structure_edition.h"
 #include "dynamics/active.h"
 #include "dynamics/body_state.h"
 #include "dynamics/joint_state.h"

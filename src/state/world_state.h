@@ -9,14 +9,14 @@
 //   bodies, joints                    dynamics/body_state, dynamics/joint_state
 //   geoms of the contact space        enabled; poses of those without a body
 //   impulses of contact joints        step/common/contact_cache_state
-//   world-managed contacts            contacts/contact_state
+//   world-managed contacts            contacts/state/contact_state
 // Everything that step/common/undo restores must be here; symbolic factors and working memory are caches.
 // A state is written in one walk over the world, to a block that grows, and read in two: all is checked, then
 // all is stored.
 #pragma once
 
 #include "base/streams/state_stream.h"
-#include "contacts/contact_state.h"
+#include "contacts/state/contact_state.h"
 #include "state/state_header.h"
 #include "state/structure.h"
 #include "step/step.h"

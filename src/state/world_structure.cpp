@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/check.h"
-#include "base/structure_edition.h"
+#include "base/objects/structure_edition.h"
 #include "dynamics/joint_drives.h"
 #include "joints/drive_rows.h"
 #include "joints/registry.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/structure_edition.h"
+#include "base/objects/structure_edition.h"
 #include "query/candidates.h"
 #include "query/distance.h"
 #include "step/common/link.h"

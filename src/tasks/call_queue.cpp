@@ -8,7 +8,7 @@
 // which reveals a releasee that was kept for too long.
 #include "tasks/call_queue.h"
 
-#include "base/pool.h"
+#include "base/objects/pool.h"
 #include "base/spin.h"
 
 namespace epode {

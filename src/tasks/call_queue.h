@@ -15,7 +15,7 @@
 #include <atomic>
 #include <cstddef>
 
-#include "base/handle.h"
+#include "base/objects/handle.h"
 #include "ode/threading.h"
 #include "tasks/fork_watch.h"
 #include "tasks/lock.h"

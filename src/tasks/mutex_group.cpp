@@ -4,7 +4,7 @@
 // Error-checking mutexes. The group itself lies in a pool, so that a stale handle is recognised.
 #include "tasks/mutex_group.h"
 
-#include "base/pool.h"
+#include "base/objects/pool.h"
 
 namespace epode {
 

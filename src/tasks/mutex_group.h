@@ -7,7 +7,7 @@
 
 #include <pthread.h>
 
-#include "base/handle.h"
+#include "base/objects/handle.h"
 #include "ode/threading.h"
 
 namespace epode {

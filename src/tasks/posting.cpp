@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "base/float_environment.h"
-#include "base/pool.h"
+#include "base/objects/pool.h"
 #include "tasks/worker.h"
 
 namespace epode {

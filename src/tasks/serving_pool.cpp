@@ -9,7 +9,7 @@
 #include <limits.h>
 #include <signal.h>
 
-#include "base/pool.h"
+#include "base/objects/pool.h"
 
 namespace epode {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <pthread.h>
 
-#include "base/handle.h"
+#include "base/objects/handle.h"
 #include "ode/threading_impl.h"
 #include "tasks/call_queue.h"
 

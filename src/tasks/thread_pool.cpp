@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "base/float_environment.h"
-#include "base/lifecycle.h"
+#include "base/objects/lifecycle.h"
 #include "base/spin.h"
 #include "tasks/tasks.h"
 #include "tasks/waiting.h"

@@ -6,7 +6,7 @@
 #include "tasks/threading.h"
 
 #include "base/check.h"
-#include "base/pool.h"
+#include "base/objects/pool.h"
 
 namespace epode {
 namespace {

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "base/check.h"
-#include "base/pool.h"
+#include "base/objects/pool.h"
 #include "tasks/threading.h"
 
 using namespace epode;

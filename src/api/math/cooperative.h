@@ -8,7 +8,7 @@
 
 #include <atomic>
 
-#include "base/handle.h"
+#include "base/objects/handle.h"
 #include "ode/cooperative.h"
 #include "tasks/tasks.h"
 

@@ -10,7 +10,7 @@
 
 #include "base/arena.h"
 #include "base/array.h"
-#include "base/pool.h"
+#include "base/objects/pool.h"
 #include "base/random.h"
 #include "bvh/dynamic_tree.h"
 #include "ode/misc.h"

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // dInitODE and dCloseODE: a counter. Everything in the library works without initialisation (worlds and
-// geoms are often made before it); what the last close does is run the hooks of base/lifecycle.h, which
+// geoms are often made before it); what the last close does is run the hooks of base/objects/lifecycle.h, which
 // forget user geom classes and give memory of the program's own handlers back. No thread has data of its own
 // to allocate, so the thread functions only keep ODE's rules of when they may be called.
 #include "ode/odeinit.h"
@@ -10,7 +10,7 @@
 #include <atomic>
 
 #include "base/check.h"
-#include "base/lifecycle.h"
+#include "base/objects/lifecycle.h"
 
 using namespace epode;
 

@@ -6,7 +6,7 @@
 #include "tasks/threading.h"
 
 #include "base/check.h"
-#include "base/pool.h"
+#include "base/objects/pool.h"
 #include "ode/odeinit.h"
 #include "tasks/serving_pool.h"
 

@@ -13,7 +13,7 @@
 #include "ode/timer.h"
 
 #include "base/check.h"
-#include "base/pool.h"
+#include "base/objects/pool.h"
 
 using namespace epode;
 

@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "base/float_environment.h"
-#include "base/lifecycle.h"
+#include "base/objects/lifecycle.h"
 #include "collide/geom_leaves.h"
 #include "collide/pairs/at_once.h"
 #include "collide/pairs/solid_pairs.h"

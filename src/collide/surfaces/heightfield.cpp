@@ -10,7 +10,7 @@
 #include "base/check.h"
 #include "base/float_environment.h"
 #include "base/memory.h"
-#include "base/structure_edition.h"
+#include "base/objects/structure_edition.h"
 #include "collide/surfaces/height_function.h"
 
 namespace epode {

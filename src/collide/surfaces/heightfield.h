@@ -12,7 +12,7 @@
 #pragma once
 
 #include "base/array.h"
-#include "base/handle.h"
+#include "base/objects/handle.h"
 #include "geometry/triangle.h"
 #include "ode/collision.h"
 

@@ -10,7 +10,7 @@
 
 #include <atomic>
 
-#include "base/pool.h"
+#include "base/objects/pool.h"
 #include "base/streams/structure_stream.h"
 #include "bvh/mesh_tree.h"
 #include "collide/geom.h"

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "base/check.h"
-#include "base/pool.h"
+#include "base/objects/pool.h"
 #include "collide/geom.h"
 #include "collide/shape_stream.h"
 #include "collide/shared_solid.h"

@@ -10,7 +10,7 @@
 #include <mutex>
 
 #include "base/float_environment.h"
-#include "base/lifecycle.h"
+#include "base/objects/lifecycle.h"
 #include "collide/types/registry.h"
 
 namespace epode {

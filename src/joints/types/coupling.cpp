@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "base/structure_edition.h"
+#include "base/objects/structure_edition.h"
 #include "joints/access.h"
 #include "joints/coupling.h"
 #include "joints/drive_rows.h"

@@ -12,8 +12,8 @@
 
 #include "base/arena.h"
 #include "base/array.h"
-#include "base/handle.h"
-#include "base/pool.h"
+#include "base/objects/handle.h"
+#include "base/objects/pool.h"
 
 namespace epode {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/check.h"
-#include "base/lifecycle.h"
+#include "base/objects/lifecycle.h"
 #include "base/random.h"
 
 namespace epode {

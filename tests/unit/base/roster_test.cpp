@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // A roster against a plain list, through thousands of comings and goings.
-#include "base/roster.h"
+#include "base/objects/roster.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "../api/message_recorder.h"
-#include "base/handle.h"
+#include "base/objects/handle.h"
 
 namespace epode::test {
 namespace {

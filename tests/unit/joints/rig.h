@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "base/pool.h"
+#include "base/objects/pool.h"
 #include "dynamics/joint.h"
 #include "dynamics/world.h"
 #include "joints/drive_rows.h"

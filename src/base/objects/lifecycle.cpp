@@ -4,11 +4,11 @@
 // A table of fixed size: the number of owners of process-wide state is known when the library is written, and
 // registering must not fail for lack of memory. Hooks run outside the lock, so a hook may register another
 // one.
-#include "base/lifecycle.h"
+#include "base/objects/lifecycle.h"
 
 #include <mutex>
 
-#include "base/pool.h"
+#include "base/objects/pool.h"
 
 namespace epode {
 namespace {

@@ -3,12 +3,12 @@
 //
 // Free slots form a stack, so the slot freed last is reused first: the contact joints of a frame come back
 // while still in the cache.
-#include "base/pool.h"
+#include "base/objects/pool.h"
 
 #include <algorithm>
 #include <mutex>
 
-#include "base/lifecycle.h"
+#include "base/objects/lifecycle.h"
 #include "base/poison.h"
 
 namespace epode {

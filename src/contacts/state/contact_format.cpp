@@ -4,7 +4,7 @@
 // Floats as integers: for x >= 0 the bits are in the order of the numbers, and floats that follow each other
 // differ by one. Differences are taken of the bits as they are, modulo 2^32, so a change of sign is far.
 // Columns of anchors behind the last point are written by nobody, and made again when a manifold is read.
-#include "contacts/contact_format.h"
+#include "contacts/state/contact_format.h"
 
 #include <algorithm>
 #include <bit>

@@ -65,12 +65,19 @@ auto to_handle(const O* object)
     return reinterpret_cast<Id>(reinterpret_cast<std::uintptr_t>(object) | object->generation);
 }
 
+// Of a handle that from_handle has judged: without a second look at the object.
+template <typename O>
+O* from_judged_handle(typename HandleOf<O>::Id id)
+{
+    return reinterpret_cast<O*>(reinterpret_cast<std::uintptr_t>(id) & ~std::uintptr_t(kGenerations - 1));
+}
+
 // Null unless the handle names a live object of this kind.
 template <typename O>
 O* from_handle(typename HandleOf<O>::Id id)
 {
     const auto bits = reinterpret_cast<std::uintptr_t>(id);
-    auto* object = reinterpret_cast<O*>(bits & ~std::uintptr_t(kGenerations - 1));
+    auto* object = from_judged_handle<O>(id);
     if constexpr (!kChecked) return object;
     // Signed: addresses in the first page and values such as (dBodyID)-1 are never dereferenced.
     const bool alive = std::intptr_t(bits) >= kFirstPage && object->tag == HandleOf<O>::kTag &&

@@ -16,8 +16,8 @@
 #include <sys/single_threaded.h>  // NOLINT: of glibc
 #endif
 
-#include "base/handle.h"
 #include "base/memory.h"
+#include "base/objects/handle.h"
 #include "base/spin.h"
 
 namespace epode {

@@ -13,10 +13,10 @@
 #include <cstring>
 
 #include "collide/collide.h"
-#include "contacts/contact_format.h"
-#include "contacts/contact_state.h"
 #include "contacts/material.h"
 #include "contacts/pair_rules.h"
+#include "contacts/state/contact_format.h"
+#include "contacts/state/contact_state.h"
 
 namespace epode {
 namespace {
