@@ -26,22 +26,22 @@ struct Golden {
 };
 
 constexpr Golden kGolden[2][8] = {
-    {{0xdb3913f504487713, 0xcee069a4b0d64252},
-     {0x4e95b8b3deac5511, 0x68149e02fd247518},
-     {0x19c5f23d23913e48, 0x9ea9d6a747f9804c},
-     {0xfb03d49c3abb15de, 0xdf9a63f26c53c8cd},
-     {0xb6d6280819aa1fcb, 0x501875c6b0c672bf},
-     {0xbf808c970fa32d19, 0xc3b7e413a1640b40},
-     {0x4dcc749550846fdf, 0x7c1e942319ef0eba},
-     {0xf8c3752cd41473c6, 0x6d82db47ca8829fe}},
-    {{0xaac7a6dca6a7b4f5, 0x5e0afbbd951cc52d},
-     {0x362a5bc67ddc4456, 0xcc1e012ded17fe47},
-     {0x75f627b0eca24988, 0x5c6095efb373c75c},
-     {0xedda81ab890c9d80, 0x48676efb9d70dcfe},
-     {0x05778e17d9fdd2d0, 0x09cc6c957ce07daa},
-     {0x9e182f2fdfa90b77, 0xcaff227ef963814f},
-     {0x4524df183764e66a, 0x074e5a99261fbadf},
-     {0xa45ee51ed0bfb8c0, 0x45209a98fa84d681}},
+    {{0xc83cf527d04ad2bf, 0x75564af0e7f4e0ca},
+     {0x73d6d6fe3b67be6f, 0xdd99295e626ef3a0},
+     {0x7924e432361e3357, 0x4e42e2d845ba4803},
+     {0xe12133d47abf1edd, 0x4280744a6e52c5ba},
+     {0x8f998dfdfff47e24, 0x4e22a4e23e7f0326},
+     {0x51429152ae74bfa6, 0xd3dbe0c9764d211f},
+     {0xc813878c5d14de0d, 0x63e536918b9af4b5},
+     {0x065c3ddf3d559090, 0xe2b218c708af1d70}},
+    {{0x3b1db39ff826132c, 0x71279c2b028ed75e},
+     {0xcbf5bfdbafc4a2d1, 0xdd586b1b590ce0d3},
+     {0xa8940c956becddfd, 0xc8b4ebecd06fc319},
+     {0xba478197dd4664ac, 0x131f7e218a75ca8f},
+     {0xa9db6095a5248a30, 0xe83cb0e4c8591ece},
+     {0x6d4954765b58c47e, 0x2754ca455b1e7f4d},
+     {0x6d614bb4b762f82d, 0x6bfb8a68596f00ac},
+     {0x7b92948d84a13976, 0x6d840ec59d9da7d1}},
 };
 
 class SameBits : public testing::TestWithParam<int> {};

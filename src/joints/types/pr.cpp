@@ -7,7 +7,8 @@
 //          t.g = 0,  (s x t).g = 0                g = x2 + R2 s2 - x1 - R1 s1: the gap between the anchors
 //   J    = [ 0, d, 0, -d ]  for d = p, t;         [ d, D x d, -d, -(r2 x d) ]  for d = t, s x t,
 //                                                 D = x2 + R2 s2 - x1
-//   stops and motors along s (value -s.g) and about a1.
+//   stops and motors along s (value -s.g) and about a1. Those along s act where the anchors are: between the
+//   bodies' centres, as in ODE, they would turn a body that hangs off its slide, and do work on it.
 // Axes that are not perpendicular, which ODE forbids without a check, still make a sound joint here: turning
 // is locked across a, sliding across s. Attached as (0, B), position and angle change sign; the stop of the
 // position follows the reading, that of the angle keeps the sign of node 0, as in ODE.
@@ -96,7 +97,8 @@ void PR::emit(RowWriter& out)
     out.row(angular_jacobian(*this, t), dot(u, t));
     lock_level(*this, out, anchor, cross(s, t));
     lock_level(*this, out, anchor, t);
-    motor[0].emit_linear(*this, out, slide_motion(), position());
+    const Jacobian along = separated_jacobian(*this, anchor, slide_motion());
+    motor[0].emit(*this, out, along, position(), rate_along(*this, along));
     motor[1].emit_angular(*this, out, a1, motor[1].has_stops() ? angle() : 0);
 }
 

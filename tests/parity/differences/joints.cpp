@@ -225,6 +225,26 @@ DIFFERENCE(D41, axis, "a double hinge without an axis keeps its bodies' numbers 
     return near(size(d), 1, 0.01);
 }
 
+DIFFERENCE(D45, stop, "the stop of a PR joint's slide adds no energy to a body that swings off the slide")
+{
+    const World world;
+    const dBodyID b = world.body(0.2, 0, -0.4);
+    dWorldSetGravity(world.id, 2, 0, -9.81);
+    const dJointID j = attached(dJointCreatePR(world.id, nullptr), b, nullptr);
+    dJointSetPRAnchor(j, 0, 0, 0);
+    dJointSetPRAxis1(j, 1, 0, 0);
+    dJointSetPRAxis2(j, 0, 1, 0);
+    dJointSetPRParam(j, dParamLoStop, -0.3);
+    dJointSetPRParam(j, dParamHiStop, 0.3);
+    double fastest = 0;
+    for (int i = 0; i < 1000; ++i) {
+        world.step();
+        fastest = std::fmax(fastest, size(dBodyGetLinearVel(b)));
+    }
+    note("fastest", fastest);
+    return fastest < 10;
+}
+
 DIFFERENCE(D42, linear, "a fourth group of a linear motor's parameters is none of its axes")
 {
     const World world;

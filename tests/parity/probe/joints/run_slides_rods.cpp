@@ -97,6 +97,7 @@ PARITY_CASE(run_piston)
     }
 }
 
+// Both centres lie on the slide (D45), but for the error of a step, which is small.
 PARITY_CASE(run_pr)
 {
     for (const bool two : {false, true}) {
@@ -105,14 +106,15 @@ PARITY_CASE(run_pr)
         if (two) { h.hang_upper(); }
         const dJointID pr = dJointCreatePR(h.world, nullptr);
         dJointAttach(pr, h.lower, two ? h.upper : nullptr);
-        dJointSetPRAnchor(pr, 0.8, 0.1, -0.1);
+        dBodySetPosition(h.lower, 0.7, 0, -0.4);
+        dJointSetPRAnchor(pr, 0.4, 0, 0);
         dJointSetPRAxis1(pr, 0.6, 0, -0.8);
         dJointSetPRAxis2(pr, 0, 1, 0);
         dJointSetPRParam(pr, dParamHiStop, 0.2);
         dJointSetPRParam(pr, dParamLoStop, -0.2);
         dJointSetPRParam(pr, dParamLoStop2, -0.5);
         dJointSetPRParam(pr, dParamHiStop2, 0.5);
-        h.run(out);
+        h.run(out, 0.001);
         out.put("position", {dJointGetPRPosition(pr)});
         out.put("turn", {dJointGetPRAngle(pr), dJointGetPRAngleRate(pr)});
     }
