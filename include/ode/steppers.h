@@ -16,7 +16,7 @@ typedef enum {
     dStepperHybrid,              /**< each island in its own way: as dWorldStepHybrid does */
     dStepperExact,               /**< as dWorldStep does */
     dStepperSubstepsExactJoints, /**< in substeps, with all joints of an island solved together and exactly */
-    dStepperSubsteps,            /**< in substeps, as dWorldStepFast1 does */
+    dStepperSubsteps,            /**< in substeps, as dWorldStepFast1 does; exact joints where sweeps fail */
     dStepperQuick                /**< as dWorldQuickStep does */
 } dStepper;
 

@@ -44,11 +44,14 @@ struct DampingRule {
     Real angular_threshold2 = Real(0.01) * Real(0.01);
 };
 
-// What a body contributes to the choice of its island's solver in hybrid steps (step/hybrid).
+// What a body contributes to the choice of its island's solver (step/hybrid).
 struct HybridState {
     std::uint8_t requested = 0;  // stepper (dStepper); 0: none
     bool was_exact = false;
     std::uint8_t factorisations = 0;  // of the last exact step; 0: unknown
+    std::uint8_t strained = 0;        // steps for which its joints stay exact in substeps
+
+    bool remembers() const { return was_exact || factorisations > 0 || strained > 0; }
 };
 
 struct Body : Numbered {

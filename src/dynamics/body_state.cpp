@@ -249,18 +249,19 @@ void take_bits(Body& body, std::uint16_t bits)
     if (!(bits & kForce)) clear(body.facc), clear(body.tacc);
     if (!(bits & kSpin)) clear(&body.spin_excess.x);
     if (!(bits & kFiniteAxis)) clear(&body.finite_axis.x);
-    if (!(bits & kHybrid) && (body.hybrid.was_exact || body.hybrid.factorisations > 0))
-        body.hybrid.was_exact = false, body.hybrid.factorisations = 0;
+    if (!(bits & kHybrid) && body.hybrid.remembers()) body.hybrid = {.requested = body.hybrid.requested};
     if (!(bits & kWatch)) forget_watch(body);
 }
 
 void hybrid(Body& body, StateStream& stream)
 {
     const std::uint32_t word =
-        stream.word(std::uint32_t(body.hybrid.was_exact) << 8 | body.hybrid.factorisations);
+        stream.word(std::uint32_t(body.hybrid.strained) << 16 | std::uint32_t(body.hybrid.was_exact) << 8 |
+                    body.hybrid.factorisations);
     if (!stream.stores()) return;
     body.hybrid.was_exact = word >> 8 & 1;
     body.hybrid.factorisations = std::uint8_t(word);
+    body.hybrid.strained = std::uint8_t(word >> 16);
 }
 
 std::uint16_t bits_of(const Body& body)
@@ -273,8 +274,7 @@ std::uint16_t bits_of(const Body& body)
         bit(!is_matrix_of_quaternion(body), kMatrix) |
         bit(!all_zero(body.lvel) || !all_zero(body.avel), kVelocity) |
         bit(!all_zero(body.facc) || !all_zero(body.tacc), kForce) | bit(!all_zero(body.spin_excess), kSpin) |
-        bit(!all_zero(body.finite_axis), kFiniteAxis) |
-        bit(body.hybrid.was_exact || body.hybrid.factorisations > 0, kHybrid) |
+        bit(!all_zero(body.finite_axis), kFiniteAxis) | bit(body.hybrid.remembers(), kHybrid) |
         bit(has_been_watched(body), kWatch));
 }
 

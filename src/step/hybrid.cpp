@@ -19,12 +19,13 @@
 namespace epode {
 namespace {
 
-constexpr double kBudget = 200;              // microseconds: limit of an exact step
-constexpr double kLinearBudget = 2000;       // the same without contacts, and for stacks without loops
-constexpr double kStay = 2;                  // times the budget for islands that were exact
-constexpr double kUnequal = 20;              // ratio of masses from which substeps converge badly
-constexpr double kSmall = 1e-3;              // largest fall in a substep over the radius of gyration
-constexpr double kTall = 0.4;                // the same times (height / radius)^2, of tall stacks
+constexpr double kBudget = 200;         // microseconds: limit of an exact step
+constexpr double kLinearBudget = 2000;  // the same without contacts, and for stacks without loops
+constexpr double kStay = 2;             // times the budget for islands that were exact
+constexpr double kUnequal = 20;         // ratio of masses from which substeps converge badly
+constexpr double kSmall = 1e-3;         // largest fall in a substep over the radius of gyration
+constexpr double kTall = 0.4;           // the same times (height / radius)^2, of tall stacks
+constexpr std::uint8_t kStrainedSteps = 50;
 constexpr int kGuess = 8, kGuessJoints = 2;  // factorisations, where bodies remember none
 
 struct Structure {
@@ -178,12 +179,26 @@ const Solver& choose_solver(const World& world, const Island& island, Real h)
     return swings_too_fast(structure, world, h) ? kNetwork : by_model(structure, history, world, h);
 }
 
-void remember_choice(const Island& island, const Solver& solver, int factorisations)
+const Solver& relieved(const Solver& solver, const Island& island)
+{
+    const bool has_joints = int(island.joints.size()) > island.plain_contacts;
+    if (&solver != &kTgs || !has_joints) return solver;
+    const auto strained = [](const Body* body) { return body->hybrid.strained > 0; };
+    return std::any_of(island.bodies.begin(), island.bodies.end(), strained) ? kNetwork : solver;
+}
+
+void remember_choice(const Island& island, const Solver& solver, const StepMemo& memo)
 {
     const bool exact = &solver == &kDirect;
     for (Body* body : island.bodies) {
-        body->hybrid.was_exact = exact;
-        if (exact) body->hybrid.factorisations = std::uint8_t(std::clamp(factorisations, 0, 255));
+        HybridState& state = body->hybrid;
+        if (memo.strained)
+            state.strained = kStrainedSteps;
+        else if (state.strained > 0)
+            --state.strained;
+        if (!memo.hybrid) continue;
+        state.was_exact = exact;
+        if (exact) state.factorisations = std::uint8_t(std::clamp(memo.factorisations, 0, 255));
         if (solver.substeps) body->spin_excess = {};  // substeps integrate the rotation without it
     }
 }

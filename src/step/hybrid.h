@@ -34,7 +34,18 @@ int hybrid_iterations(const World& world, const Solver& solver);
 
 const Solver& choose_solver(const World& world, const Island& island, Real h);
 
-// After a step: stores the choice in the island's bodies. `factorisations`: of the exact solver.
-void remember_choice(const Island& island, const Solver& solver, int factorisations);
+// The solver, but exact joints in place of the sweeps of substeps that a step of the last kStrainedSteps has
+// strained (step/island/strain.h).
+const Solver& relieved(const Solver& solver, const Island& island);
+
+// What an island's step tells the next ones.
+struct StepMemo {
+    int factorisations;  // of the exact solver
+    bool strained;
+    bool hybrid;  // the step was a hybrid one
+};
+
+// After a step: stores the choice and its memo in the island's bodies.
+void remember_choice(const Island& island, const Solver& solver, const StepMemo& memo);
 
 }  // namespace epode

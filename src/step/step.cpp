@@ -78,7 +78,7 @@ int weight(const Island& island)
 
 class WorldStep {
   public:
-    // `hybrid`: each island has its own solver instead of the context's.
+    // `hybrid`: each island has the solver that suits it instead of the context's.
     WorldStep(const StepContext& context, bool hybrid, StepState& state, StepMemory& memory,
               const Workers& workers)
         : context_(context),
@@ -106,7 +106,7 @@ class WorldStep {
         if (!undo_.save_idleness(arena) || !find_contacts() || !find_islands(arena) ||
             !undo_.save_islands(islands_, arena))
             return false;
-        if (hybrid_ && !choose_solvers(arena)) return false;
+        if (chooses() && !choose_solvers(arena)) return false;
         if (updates_contacts_ && state_.events.list().wants_contacts() &&
             !state_.world_contacts.measure_approach(workers_.of_islands))
             return false;
@@ -151,7 +151,7 @@ class WorldStep {
     void remember_choices() const
     {
         for (std::size_t i = 0; i < solvers_.size(); ++i)
-            remember_choice(islands_[i], *solvers_[i], factorisations_[i]);
+            remember_choice(islands_[i], *solvers_[i], {factorisations_[i], strained_[i], hybrid_});
     }
 
     // Takes sleeping bodies out of the active ones, so that later steps skip them.
@@ -233,19 +233,26 @@ class WorldStep {
                contacts.list_brought(world);
     }
 
+    // Islands have solvers of their own in hybrid steps, and in substeps where joints come apart.
+    bool chooses() const { return hybrid_ || &context_.solver == &kTgs; }
+
     bool choose_solvers(Arena& arena)
     {
         solvers_ = arena.take<const Solver*>(int(islands_.size()));
         factorisations_ = arena.take_zeroed<int>(int(islands_.size()));
+        strained_ = arena.take_zeroed<bool>(int(islands_.size()));
         if (arena.failed()) return false;
-        for (std::size_t i = 0; i < solvers_.size(); ++i)
-            solvers_[i] = &choose_solver(context_.world, islands_[i], context_.h);
+        for (std::size_t i = 0; i < solvers_.size(); ++i) {
+            const Solver& solver =
+                hybrid_ ? choose_solver(context_.world, islands_[i], context_.h) : context_.solver;
+            solvers_[i] = &relieved(solver, islands_[i]);
+        }
         return true;
     }
 
     const Solver& solver_of(std::size_t island) const
     {
-        return hybrid_ ? *solvers_[island] : context_.solver;
+        return solvers_.empty() ? context_.solver : *solvers_[island];
     }
 
     // Consecutive islands that one solver solves together.
@@ -356,7 +363,8 @@ class WorldStep {
                 .symbolic_cache = c.symbolic_cache,
                 .undo = c.undo,
                 .manages_contacts = c.manages_contacts,
-                .factorisations = factorisations_};
+                .factorisations = factorisations_,
+                .strained = strained_};
     }
 
     const StepContext& context_;
@@ -367,8 +375,9 @@ class WorldStep {
     std::span<Island> islands_;
     bool updates_contacts_ = false;
     std::span<Body*> asleep_;           // active bodies that have fallen asleep
-    std::span<const Solver*> solvers_;  // of a hybrid step, by island
+    std::span<const Solver*> solvers_;  // by island; empty: all have the context's
     std::span<int> factorisations_;     // likewise
+    std::span<bool> strained_;          // likewise
     std::span<Group> groups_;
     std::span<int> parcels_;
     StepUndo& undo_;
@@ -432,7 +441,8 @@ bool step_in(World& world, StepState& state, StepMemory& memory, const Solver* s
                               .symbolic_cache = state.symbolic_cache,
                               .undo = undo,
                               .manages_contacts = state.world_contacts.live_space() != nullptr,
-                              .factorisations = {}};
+                              .factorisations = {},
+                              .strained = {}};
     WorldStep step(context, !solver, state, memory, workers);
     const bool made = step.prepare() && step.run() && step.stop_at_impacts();
     if (made) {

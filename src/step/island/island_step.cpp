@@ -13,6 +13,7 @@
 #include "step/island/free_flight.h"
 #include "step/island/manifold_rows.h"
 #include "step/island/report.h"
+#include "step/island/strain.h"
 #include "step/island/substeps.h"
 #include "step/island/tension.h"
 #include "step/island/write_back.h"
@@ -77,6 +78,7 @@ class IslandStep {
         work_.system.manifold_friction = world_.manifold_friction && context_.solver.cones;
         if (has_exact_substeps()) exact_substeps_.map(work_.system);
         for (std::size_t i = 0; i < reports.size(); ++i) report_errors(work_, int(i), reports[i]);
+        if (watches_strain() && !strain_.begin(world_, work_, arena_)) return false;
         if (projects()) {
             add_tension(work_, work_.system.bodies, arena_);
             leave_depth_to_projection(work_.system);
@@ -126,6 +128,7 @@ class IslandStep {
         }
         remember_contacts();
         if (!context_.solver.contact_manifolds) store_manifold_impulses(work_);
+        if (watches_strain()) strain_.end(world_, work_, strained());
         if (context_.solver.substeps) return;  // the substeps have moved the poses
         if (!has_exact_substeps()) {
             advance();
@@ -185,6 +188,11 @@ class IslandStep {
     }
     bool projects() const { return exact_ && world_.projection_iterations > 0; }
     bool has_exact_substeps() const { return exact_ && world_.exact_substeps > 1; }
+    bool watches_strain() const { return context_.solver.substeps && !context_.strained.empty(); }
+    std::span<bool> strained() const
+    {
+        return context_.strained.subspan(std::size_t(place_.first_island), work_.members.size());
+    }
     bool has_parts() const { return !work_.system.parts.empty(); }
 
     bool is_free(int part) const
@@ -318,6 +326,7 @@ class IslandStep {
     EnergyLedger ledger_;
     std::span<Velocity> substep_ends_;  // if there is a ledger
     ExactSubsteps exact_substeps_;
+    StrainWatch strain_;
     ProjectionReport projected_;
 };
 

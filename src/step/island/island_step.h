@@ -24,6 +24,7 @@ struct StepContext {
     StepUndo& undo;
     bool manages_contacts;          // the world has world-managed contacts
     std::span<int> factorisations;  // by island, if wanted
+    std::span<bool> strained;       // by island, if wanted: its joints come apart (step/island/strain.h)
 };
 
 struct IslandPlace {

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Finds islands whose joints the sweeps of substeps do not hold. Where masses, arms and inertias are too
+// unequal, errors that sweeps leave feed on the impulses kept for the next substep: joints come apart, and
+// energy comes from nothing. A step strains its island if both are seen,
+//
+//   gap    e/(r1 + r2 + k1 + k2) > 0.001   of a row that should hold a distance e at zero between bodies
+//                                          with arms r and radii of gyration k, or an angle e > 0.001
+//   gain   E1 - E0 > g (T + sum m |a| k)   with E the energy of motion and weight, T that of motion, a
+//                                          gravity; g = 0.003, and 0.05 where more than weight and
+//                                          joints acts: contacts, stops, motors, forces of the program
+//
+// Either alone is common in health: blows part joints, motors raise energy. Such an island takes exact joints
+// in its next steps (step/hybrid.h); a false alarm costs time only.
+#pragma once
+
+#include "step/island/assemble.h"
+
+namespace epode {
+
+class StrainWatch {
+  public:
+    // After the rows are written and before anything moves. False: out of memory.
+    bool begin(const World& world, const IslandWork& work, Arena& arena);
+    // After the bodies have moved: sets those of `strained`, one for each part, that are.
+    void end(const World& world, const IslandWork& work, std::span<bool> strained) const;
+
+  private:
+    // Of a part at the beginning.
+    struct Before {
+        bool apart;
+        bool driven;  // more than weight and joints acts
+        double energy;
+    };
+    static Before before(const World& world, const IslandWork& work, int part);
+
+    std::span<Before> before_;
+};
+
+}  // namespace epode
