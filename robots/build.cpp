@@ -29,13 +29,17 @@ void set_mass(dBodyID body, double mass, const Matrix& i)
     dBodySetMass(body, &its);
 }
 
-void set_touch(dGeomID geom, const Shape& shape, bool largest_friction)
+void set_touch(dGeomID geom, const Shape& shape, const Spring& spring, bool largest_friction)
 {
     dGeomSetCategoryBits(geom, shape.category);
     dGeomSetCollideBits(geom, shape.collide);
     dMaterial material;
     dMaterialInit(&material, sizeof material);
     material.friction = dReal(shape.friction), material.rolling_friction = dReal(shape.rolling_friction);
+    if (spring.stiffness > 0) {
+        material.compliance = dReal(1 / spring.stiffness);
+        material.damping_time = dReal(spring.damping / spring.stiffness);
+    }
     if (largest_friction) material.friction_rule = dCombineMaximum;
     dGeomSetMaterial(geom, &material);
 }
@@ -150,7 +154,7 @@ void Robot::make_joints(dWorldID world)
             const dBodyID child = is_last ? bodies_[i] : make_small_body(world, int(i));
             if (!is_last) small_.push_back({child, int(i), k + 1});
             const size_t number = size_t(link.joints[k]);
-            joints_[number] = make_joint(world, model().joints[number], child, parent, reference_[i]);
+            joints_[number] = make_joint(world, int(number), child, parent, reference_[i]);
             if (joints_[number]) all_joints_.push_back(joints_[number]);
             holders_[i] = joints_[number];
             parent = child;
@@ -159,9 +163,9 @@ void Robot::make_joints(dWorldID world)
     }
 }
 
-dJointID Robot::make_joint(dWorldID world, const Joint& joint, dBodyID child, dBodyID parent,
-                           const Pose& frame)
+dJointID Robot::make_joint(dWorldID world, int number, dBodyID child, dBodyID parent, const Pose& frame)
 {
+    const Joint& joint = model().joints[size_t(number)];
     const Vec anchor = frame * joint.anchor, axis = rotate(frame.q, joint.axis);
     dJointID its = nullptr;
     switch (joint.kind) {
@@ -184,13 +188,14 @@ dJointID Robot::make_joint(dWorldID world, const Joint& joint, dBodyID child, dB
         case JointKind::kFree:
             return nullptr;
     }
-    if (joint.is_scalar()) set_limits(joint, its);
+    if (joint.is_scalar()) set_limits(number, its);
     return its;
 }
 
 // ODE's hinge has stops within half a turn; wider ones are those of a coupling, which counts turns.
-void Robot::set_limits(const Joint& joint, dJointID its) const
+void Robot::set_limits(int number, dJointID its) const
 {
+    const Joint& joint = model().joints[size_t(number)];
     if (!joint.limited && joint.kind == JointKind::kHinge) dJointSetAxisContinuous(its, 0, 1);
     if (!joint.limited) return;
     const double low = joint.low - joint.reference, high = joint.high - joint.reference;
@@ -202,6 +207,8 @@ void Robot::set_limits(const Joint& joint, dJointID its) const
         dJointSetHingeParam(its, dParamLoStop, dReal(low));
         dJointSetHingeParam(its, dParamHiStop, dReal(high));
     }
+    const Spring spring = prepared_->springs().of_limit(model(), number);
+    if (spring.stiffness > 0) dJointSetStopSpring(its, 0, dReal(spring.stiffness), dReal(spring.damping));
 }
 
 // The loop is closed where its ends meet: body 2 is moved there while the joint takes its measure.
@@ -298,7 +305,7 @@ void Robot::add_geom(dGeomID geom, int number, const Shape& shape)
         dGeomSetPosition(geom, dReal(offset.p.x), dReal(offset.p.y), dReal(offset.p.z));
         dGeomSetQuaternion(geom, q);
     }
-    set_touch(geom, shape, model().largest_friction);
+    set_touch(geom, shape, prepared_->springs().of_shape(number, shape), model().largest_friction);
 }
 
 void Robot::add_looks(dSpaceID space)

@@ -14,6 +14,7 @@
 #include "robots/kinematics.h"
 #include "robots/model.h"
 #include "robots/parts/decompose.h"
+#include "robots/softness.h"
 
 namespace epode::robots {
 
@@ -37,6 +38,7 @@ class Prepared {
     // Of every mesh that was decomposed.
     const std::vector<Fit>& fits() const { return fits_; }
     dTriMeshDataID triangles(int mesh) const { return triangles_[size_t(mesh)]; }
+    const Springs& springs() const { return springs_; }
     const std::vector<std::array<int, 2>>& overlapping() const { return overlapping_; }
 
   private:
@@ -45,6 +47,7 @@ class Prepared {
     void find_overlapping();
 
     RobotModel model_;
+    Springs springs_;
     std::vector<std::vector<Hull>> hulls_;
     std::vector<Fit> fits_;
     std::vector<dTriMeshDataID> triangles_;
@@ -108,7 +111,7 @@ class Robot {
     dGeomID make_geom(dSpaceID space, const Shape& shape);
     void add_geom(dGeomID geom, int link, const Shape& shape);
     void make_joints(dWorldID world);
-    dJointID make_joint(dWorldID world, const Joint& joint, dBodyID child, dBodyID parent, const Pose& frame);
+    dJointID make_joint(dWorldID world, int number, dBodyID child, dBodyID parent, const Pose& frame);
     dBodyID make_small_body(dWorldID world, int link);
     void make_closure(dWorldID world, const Closure& closure);
     dJointID make_coupling(dWorldID world, const std::vector<Coupling::Term>& terms, double low, double high);
@@ -122,7 +125,7 @@ class Robot {
     void set_drive(const Passive& passive, const Servo& servo, double limit, int joint, int tendon);
     void set_joint_drive(int joint);
     void set_tendon_drive(int tendon);
-    void set_limits(const Joint& joint, dJointID its) const;
+    void set_limits(int number, dJointID its) const;
     struct Small {
         dBodyID body;
         int link;

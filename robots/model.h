@@ -32,6 +32,15 @@ struct Mesh {
     bool counts_folds = false;  // its volume is the sum of all pyramids' sizes, inward ones too
 };
 
+// How MJCF softens a contact or a limit: its solref and solimp (softness.h).
+struct Softness {
+    bool stated = false;  // false: rigid
+    double time = 0.02,
+           ratio =
+               1;  // time constant, s, and damping ratio; where not above 0 stiffness and damping, negated
+    double low = 0.9, high = 0.95, width = 0.001, middle = 0.5, power = 2;  // impedance over the violation
+};
+
 struct Shape {
     std::string name;
     ShapeKind kind = ShapeKind::kSphere;
@@ -39,6 +48,7 @@ struct Shape {
     Vec size;       // sphere: radius; box, ellipsoid: half sizes; capsule, cylinder: radius, half length
     int mesh = -1;  // of hulls and triangles
     double friction = 1, rolling_friction = 0;
+    Softness softness;
     std::uint32_t category = 1, collide = 1;
     float color[4] = {0.7f, 0.7f, 0.7f, 1};
 };
@@ -71,6 +81,7 @@ struct Joint {
     double low = -kInfinity, high = kInfinity;
     double max_force = kInfinity, max_velocity = kInfinity;
     double stiffness = 0, spring_reference = 0, damping = 0, armature = 0, friction = 0;
+    Softness stop_softness;
     int position = 0;  // where its coordinates begin among all
     int line = 0;
     int coordinates() const { return kind == JointKind::kFree ? 7 : kind == JointKind::kBall ? 4 : 1; }

@@ -43,6 +43,7 @@ void note_overlap(void* data, dGeomID one, dGeomID two)
 
 Prepared::Prepared(RobotModel model)
     : model_(std::move(model)),
+      springs_(model_),
       hulls_(model_.meshes.size()),
       triangles_(model_.meshes.size(), nullptr),
       corners_(model_.meshes.size()),

@@ -6,6 +6,8 @@
 // they are collected first and read in the order in which they need each other.
 #pragma once
 
+#include <array>
+
 #include "robots/inertia.h"
 #include "robots/read/mjcf_defaults.h"
 
@@ -62,6 +64,8 @@ class Mjcf {
     void read_free_joint(const Attributes& attributes, const Scope& scope);
     bool read_range(const Attributes& attributes, Joint& joint);
     void read_passive(const Attributes& attributes, Joint& joint);
+    void read_softness(const Attributes& attributes, const std::array<const char*, 2>& names,
+                       Softness& softness);
     void read_geom(const Attributes& attributes, const Scope& scope, Inertia& of_geoms);
     bool read_size(const Attributes& attributes, const std::string& type, Shape& shape);
     bool read_mesh(const Attributes& attributes, const std::string& type, Shape& shape);

@@ -213,10 +213,21 @@ void Mjcf::read_joint(const Attributes& a, const Scope& scope)
     joint.axis = rotate(scope.pose.q, (1 / length(axis)) * axis), joint.anchor = scope.pose * anchor;
     if (!read_range(a, joint)) return;
     read_passive(a, joint);
+    read_softness(a, {"solreflimit", "solimplimit"}, joint.stop_softness);
     for (const char* soft : {"solreflimit", "solimplimit", "solreffriction", "margin"})
         if (a.has(soft)) reading_.note_once(Note::kApproximated, a.element(), std::string("joint ") + soft);
     model_.links[size_t(scope.link)].joints.push_back(int(model_.joints.size()));
     model_.joints.push_back(joint);
+}
+
+void Mjcf::read_softness(const Attributes& a, const std::array<const char*, 2>& names, Softness& softness)
+{
+    std::vector<double> v;
+    if (list(a, names[0], 2, 2, v)) softness.stated = true, softness.time = v[0], softness.ratio = v[1];
+    if (!list(a, names[1], 1, 5, v)) return;
+    softness.stated = true;
+    double* const to[] = {&softness.low, &softness.high, &softness.width, &softness.middle, &softness.power};
+    for (size_t i = 0; i < v.size(); ++i) *to[i] = v[i];
 }
 
 // Limits, reference and rest. False and an error where the range ends before it begins.
@@ -357,6 +368,7 @@ void Mjcf::read_geom(const Attributes& a, const Scope& scope, Inertia& of_geoms)
     shape.collide = std::uint32_t(std::clamp(conaffinity, 0.0, 4294967295.0));
     if (list(a, "rgba", 4, 4, values))
         for (size_t i = 0; i < 4; ++i) shape.color[i] = float(values[i]);
+    read_softness(a, {"solref", "solimp"}, shape.softness);
     for (const char* soft : {"solref", "solimp", "margin", "gap", "priority", "fluidshape"})
         if (a.has(soft)) reading_.note_once(Note::kApproximated, a.element(), std::string("geom ") + soft);
     add_mass(a, shape, of_geoms);

@@ -154,8 +154,16 @@ void MjcfWriter::write_joint(Node body, size_t number)
     write_passive(its, joint);
 }
 
+void write_softness(Node node, const char* reference, const char* impedance, const Softness& s)
+{
+    if (!s.stated) return;
+    set(node, reference, list_text({s.time, s.ratio}));
+    set(node, impedance, list_text({s.low, s.high, s.width, s.middle, s.power}));
+}
+
 void MjcfWriter::write_passive(Node node, const Joint& joint)
 {
+    write_softness(node, "solreflimit", "solimplimit", joint.stop_softness);
     const std::pair<const char*, double> numbers[] = {
         {"ref", joint.reference},   {"springref", joint.spring_reference}, {"stiffness", joint.stiffness},
         {"damping", joint.damping}, {"armature", joint.armature},          {"frictionloss", joint.friction}};
@@ -203,6 +211,7 @@ void MjcfWriter::write_geom(Node body, const Shape& shape, bool touches)
     if (!touches) return;
     set(geom, "condim", shape.rolling_friction > 0 ? 6 : shape.friction > 0 ? 3 : 1);
     set(geom, "friction", list_text({shape.friction, 0.005, shape.rolling_friction}));
+    write_softness(geom, "solref", "solimp", shape.softness);
 }
 
 void MjcfWriter::write_bodies()

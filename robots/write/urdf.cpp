@@ -133,9 +133,9 @@ void UrdfWriter::write_shape(Node link, const Shape& shape, const char* element,
     if (is_visual) {
         Node material = its.append_child("material");
         set(material, "name", ""), set(material.append_child("color"), "rgba", color_text(shape.color));
-    } else if (shape.friction != 1 || shape.rolling_friction != 0 || shape.category != 1 ||
-               shape.collide != 1) {
-        losses_.add("frictions and what touches what are not in URDF");
+    } else if (shape.friction != 1 || shape.rolling_friction != 0 || shape.softness.stated ||
+               shape.category != 1 || shape.collide != 1) {
+        losses_.add("frictions, softness and what touches what are not in URDF");
     }
 }
 

@@ -92,6 +92,7 @@ class Models : Comparison {
                  shape(its, x, y);
                  same(its + " friction", x.friction, y.friction),
                      same(its + " rolling friction", x.rolling_friction, y.rolling_friction);
+                 softness(its, x.softness, y.softness);
                  same(its + " category", x.category, y.category),
                      same(its + " collide", x.collide, y.collide);
              });
@@ -112,8 +113,18 @@ class Models : Comparison {
         same(what + " mesh", one.path, two.path), same(what + " scale", one.scale, two.scale);
     }
 
+    void softness(const std::string& what, const Softness& a, const Softness& b)
+    {
+        same(what + " softness", a.stated, b.stated);
+        same(what + " time", a.time, b.time), same(what + " ratio", a.ratio, b.ratio);
+        same(what + " impedance", a.low, b.low), same(what + " impedance", a.high, b.high);
+        same(what + " width", a.width, b.width), same(what + " middle", a.middle, b.middle);
+        same(what + " power", a.power, b.power);
+    }
+
     void joint(const std::string& what, const Joint& a, const Joint& b)
     {
+        softness(what, a.stop_softness, b.stop_softness);
         if (!a.name.empty()) same(what, a.name, b.name);
         same(what + " kind", name_of(a.kind), name_of(b.kind)), same(what + " link", a.link, b.link);
         same(what + " stiffness", a.stiffness, b.stiffness);

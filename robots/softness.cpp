@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "robots/softness.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robots/kinematics.h"
+
+namespace epode::robots {
+
+namespace {
+
+constexpr double kLeastImpedance = 1e-4, kMostImpedance = 0.9999;  // what MuJoCo clamps to
+
+// Between 0 and 1 as x is: x^p scaled up to the middle, its mirror image from there on.
+double sigmoid(double x, double middle, double power)
+{
+    if (x >= 1) return 1;
+    if (x <= middle) return std::pow(x, power) / std::pow(middle, power - 1);
+    return 1 - std::pow(1 - x, power) / std::pow(1 - middle, power - 1);
+}
+
+double impedance(const Softness& s, double r)
+{
+    const double x = s.width > 0 ? r / s.width : 1;
+    const double d =
+        s.low + (s.high - s.low) * sigmoid(x, std::clamp(s.middle, 1e-4, 0.9999), std::max(1.0, s.power));
+    return std::clamp(d, kLeastImpedance, kMostImpedance);
+}
+
+Spring spring_at(const Softness& s, double inverse_mass, double r)
+{
+    const double d = impedance(s, r), largest = std::clamp(s.high, kLeastImpedance, kMostImpedance);
+    const double regular = inverse_mass * (1 - d) / d;
+    const bool direct = s.time <= 0;
+    const double k = direct ? -s.time * d / (largest * largest) : d / std::pow(largest * s.time * s.ratio, 2);
+    const double b = direct ? -s.ratio / largest : 2 / (largest * s.time);
+    return {k / regular, b / regular};
+}
+
+// L of M = L L', row by row; false where M is not positive.
+bool factor(std::vector<double>& m, size_t n)
+{
+    for (size_t i = 0; i < n; ++i)
+        for (size_t j = 0; j <= i; ++j) {
+            double sum = m[i * n + j];
+            for (size_t k = 0; k < j; ++k) sum -= m[i * n + k] * m[j * n + k];
+            if (i == j && !(sum > 0)) return false;
+            m[i * n + j] = i == j ? std::sqrt(sum) : sum / m[j * n + j];
+        }
+    return true;
+}
+
+// b' M^-1 b = |L^-1 b|^2.
+double inverse_mass_along(const std::vector<double>& l, size_t n, const double* b)
+{
+    std::vector<double> y(n);
+    double out = 0;
+    for (size_t i = 0; i < n; ++i) {
+        y[i] = b[i];
+        for (size_t k = 0; k < i; ++k) y[i] -= l[i * n + k] * y[k];
+        y[i] /= l[i * n + i];
+        out += y[i] * y[i];
+    }
+    return out;
+}
+
+bool is_soft(const RobotModel& model)
+{
+    const auto shape_is = [](const Shape& shape) { return shape.softness.stated; };
+    for (const Link& link : model.links)
+        if (std::any_of(link.shapes.begin(), link.shapes.end(), shape_is)) return true;
+    return std::any_of(model.joints.begin(), model.joints.end(),
+                       [](const Joint& joint) { return joint.stop_softness.stated; });
+}
+
+int velocity_of(const RobotModel& model, int joint)
+{
+    int before = 0;
+    for (int i = 0; i < joint; ++i) before += velocities_of(model.joints[size_t(i)]);
+    return before;
+}
+
+}  // namespace
+
+Spring spring_of(const Softness& softness, double inverse_mass, double load)
+{
+    if (!softness.stated || !(inverse_mass > 0) || !(load > 0)) return {};
+    double low = 0, high = 1e-9;
+    const auto carries = [&](double r) { return spring_at(softness, inverse_mass, r).stiffness * r >= load; };
+    while (!carries(high) && high < 1e3) high *= 2;
+    for (int i = 0; i < 60; ++i) (carries((low + high) / 2) ? high : low) = (low + high) / 2;
+    const Spring spring = spring_at(softness, inverse_mass, high);
+    return std::isfinite(spring.stiffness) && std::isfinite(spring.damping) && spring.damping >= 0 ? spring
+                                                                                                   : Spring{};
+}
+
+Springs::Springs(const RobotModel& model)
+{
+    if (model.has_errors() || !is_soft(model)) return;
+    const std::vector<double> positions = reference_positions(model);
+    const size_t n = size_t(number_of_velocities(model));
+    std::vector<double> l = mass_matrix(model, positions);
+    if (n == 0 || !factor(l, n)) return;
+    carried_.resize(model.links.size());
+    for (size_t i = model.links.size(); i-- > 1;) {
+        carried_[i] += model.links[i].mass;
+        carried_[size_t(model.links[i].parent)] += carried_[i];
+    }
+    weight_ = carried_[0] * length(model.gravity);
+    for (size_t i = 0; i < model.links.size(); ++i) {
+        const std::vector<double> j = jacobian(model, positions, int(i), model.links[i].centre);
+        double sum = 0;
+        for (size_t row = 0; row < 3; ++row) sum += inverse_mass_along(l, n, &j[row * n]);
+        of_links_.push_back(sum / 3);
+    }
+    std::vector<double> unit(n);
+    for (size_t i = 0; i < n; ++i) {
+        unit.assign(n, 0), unit[i] = 1;
+        of_velocities_.push_back(inverse_mass_along(l, n, unit.data()));
+    }
+}
+
+Spring Springs::of_shape(int link, const Shape& shape) const
+{
+    if (of_links_.empty()) return {};
+    return spring_of(shape.softness, of_links_[size_t(link)], weight_ / 2);
+}
+
+Spring Springs::of_limit(const RobotModel& model, int joint) const
+{
+    const Joint& its = model.joints[size_t(joint)];
+    if (of_velocities_.empty() || !its.is_scalar()) return {};
+    const double inverse = of_velocities_[size_t(velocity_of(model, joint))],
+                 mass = carried_[size_t(its.link)];
+    const bool turns = its.kind == JointKind::kHinge;
+    const double radius = turns && mass > 0 ? 1 / std::sqrt(inverse * mass) : 1;
+    return spring_of(its.stop_softness, inverse, weight_ / 2 * radius);
+}
+
+}  // namespace epode::robots
