@@ -22,8 +22,8 @@ from .errors import BusyError, DeadHandleError, EpodeWarning, RefusedError
 from .geom import Geom
 from .joint import Drive, Joint, joint_states
 from .recording import Recording
-from .shapes import (Box, Capsule, Cone, Convex, Cylinder, Ellipsoid, HeightField, Material, Mesh, Plane, Sphere,
-                     TaperedCapsule)
+from .shapes import (Box, Capsule, Cone, Convex, Cylinder, Decomposition, Ellipsoid, HeightField, Material, Mesh, Plane,
+                     Sphere, TaperedCapsule, decompose)
 from .world import Cause, World, defaults_text, step_worlds
 
 if TYPE_CHECKING:
@@ -32,9 +32,9 @@ if TYPE_CHECKING:
 
 __version__ = "0.1.0"
 __all__ = ["Behaviour", "Body", "BodyGroup", "Box", "BusyError", "Capsule", "Cause", "CauseKind", "CombineRule", "Cone",
-           "ContactEventKind", "Convex", "Cylinder", "DeadHandleError", "Drive", "Ellipsoid", "EpodeWarning",
+           "ContactEventKind", "Convex", "Cylinder", "DeadHandleError", "Decomposition", "Drive", "Ellipsoid", "EpodeWarning",
            "EventGone", "EventKind", "Geom", "HeightField", "IslandMethod", "Joint", "Material", "Mesh", "Plane",
-           "Recording", "RefusedError", "Severity", "Sphere", "TaperedCapsule", "World", "c", "defaults_text",
+           "Recording", "RefusedError", "Severity", "Sphere", "TaperedCapsule", "World", "c", "decompose", "defaults_text",
            "joint_states", "load", "robot", "step_worlds"]
 
 

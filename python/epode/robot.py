@@ -147,6 +147,7 @@ class Options(typing.TypedDict, total=False):
     repair: bool
     inertia_from_shapes: bool
     meshes_as_triangles: bool
+    meshes_as_parts: bool
     missing_mass: float
     roots: Sequence[Path]
 
@@ -171,8 +172,8 @@ def load(path: Path, **options: typing.Unpack[Options]) -> Model:
 
     strict: what is approximated or ignored is an error. keep_fixed: links that are fixed to others stay links. fixed_base:
     the root of a URDF is fixed to the world. repair: inertias that no body can have are mended. inertia_from_shapes: links
-    without an inertial get that of their shapes. meshes_as_triangles: not as their convex hulls. missing_mass: of other
-    moving links without an inertial, kg. roots: more folders that may be read."""
+    without an inertial get that of their shapes. meshes_as_triangles: not as their convex hulls. meshes_as_parts: as
+    several hulls each (``epode.decompose``). missing_mass: of other moving links without an inertial, kg. roots: more folders that may be read."""
     return Model(_read(path, None, options))
 
 
@@ -297,6 +298,11 @@ class Model:
     def mass_matrix(self, positions: ArrayLike) -> FloatArray:
         """velocity_count x velocity_count, rotor inertias on its diagonal."""
         return self._model.mass_matrix(positions)
+
+    def constraints(self, positions: ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """What couplings and loops ask: how far they are from it, and the derivative of that by the velocities, a row each (one
+        of a coupling, three of a loop, six of a welded one). Motions that keep them are those that the matrix maps to 0."""
+        return self._model.constraints(positions)
 
     def inverse_dynamics(self, positions: ArrayLike, velocities: ArrayLike | None = None,
                          accelerations: ArrayLike | None = None) -> FloatArray:

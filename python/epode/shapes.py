@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from . import c
 from .enums import CombineRule
+from .errors import RefusedError
 
 
 class _Data:
@@ -177,6 +178,29 @@ class Mesh(Shape):
 
     def _mass(self, mass: float | None, density: float, geom: c.dGeomID) -> c.dMass:
         return _weighed(c.dMassSetTrimeshTotal, c.dMassSetTrimesh, mass, density, geom)
+
+
+@dataclasses.dataclass(eq=False)
+class Decomposition:
+    """Hulls that together fill a solid. No measured point of them is farther from it than surplus, m, and no point of it farther
+    outside them than uncovered, m, which is 0 unless their vertices were limited. closed: the mesh was."""
+    parts: list[Convex]
+    closed: bool
+    tolerance: float
+    surplus: float
+    uncovered: float
+
+
+def decompose(mesh: Mesh, *, tolerance: float = 0.0, max_parts: int = 32, max_vertices: int = 64) -> Decomposition:
+    """A solid of any form as convex hulls, which move, roll and stack like all convex shapes.
+
+    tolerance: how far from the solid a hull may reach, m; 0: 2.5 % of its longest side. max_parts: 1 to 256. max_vertices: of a
+    hull, 0: as many as it has. Give a body a geom of each: ``for part in epode.decompose(mesh).parts: world.geom(part, body=body)``."""
+    from . import _c
+    if not hasattr(_c, "_decompose"):
+        raise RefusedError("this build decomposes no meshes: it wants pugixml (Debian: libpugixml-dev)")
+    parts, *figures = _c._decompose(mesh.vertices, mesh.triangles, tolerance, max_parts, max_vertices)
+    return Decomposition([Convex(points) for points in parts], *figures)
 
 
 @dataclasses.dataclass(eq=False)

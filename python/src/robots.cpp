@@ -13,9 +13,12 @@
 #include <cmath>
 
 #include "robots/build.h"
+#include "robots/constraints.h"
 #include "robots/inverse.h"
 #include "robots/kinematics.h"
 #include "robots/load.h"
+#include "robots/meshes/formats.h"
+#include "robots/parts/decompose.h"
 #include "robots/sensor_kinds.h"
 #include "robots/sensors.h"
 #include "robots/write/write.h"
@@ -96,7 +99,7 @@ Model* load(const std::string& path, nb::object text, nb::dict options)
     };
     flag("strict", its.strict), flag("keep_fixed", its.keep_fixed), flag("fixed_base", its.fixed_base);
     flag("repair", its.repair), flag("inertia_from_shapes", its.inertia_from_shapes);
-    flag("meshes_as_triangles", its.meshes_as_triangles);
+    flag("meshes_as_triangles", its.meshes_as_triangles), flag("meshes_as_parts", its.meshes_as_parts);
     its.missing_mass = nb::cast<double>(options["missing_mass"]);
     its.roots = nb::cast<std::vector<std::string>>(options["roots"]);
     if (!(its.missing_mass >= 0) || !std::isfinite(its.missing_mass))
@@ -221,6 +224,15 @@ nb::object get_inverse_dynamics(const Model& m, nb::object positions, nb::object
     const size_t n = speeds(m.model);
     return row(inverse_dynamics(m.model, read_positions(m, positions), read(velocities, n, "velocities"),
                                 read(accelerations, n, "accelerations"), m.model.gravity));
+}
+
+// (how far couplings and loops are from what they ask, its derivative by the velocities)
+nb::object get_constraints(const Model& m, nb::object positions)
+{
+    const Reals at = read_positions(m, positions);
+    const Reals errors = constraint_errors(m.model, at);
+    return nb::make_tuple(row(errors),
+                          table(constraint_jacobian(m.model, at), errors.size(), speeds(m.model)));
 }
 
 // goals: (link, frame in it, pose, position weight, orientation weight) each.
@@ -486,10 +498,58 @@ nb::object read_sensor(const Built& robot, int number, const SpaceHandle& space)
     return row(values);
 }
 
+Mesh mesh_of(nb::handle vertices, nb::handle triangles)
+{
+    const auto points = array_in<double>(vertices);
+    const auto corners = array_in<unsigned>(triangles);
+    const size_t count = points.size / 3;
+    if (points.size % 3 || corners.size % 3 || !count || !corners.size || count > kMaxVertices ||
+        corners.size / 3 > kMaxTriangles)
+        throw nb::value_error("(n, 3) vertices and (m, 3) triangles are expected, 1 to 6 million of each");
+    Mesh mesh;
+    for (size_t i = 0; i < count; ++i)
+        mesh.vertices.push_back({points.data[3 * i], points.data[3 * i + 1], points.data[3 * i + 2]});
+    for (size_t i = 0; i + 2 < corners.size; i += 3)
+        mesh.triangles.push_back({corners.data[i], corners.data[i + 1], corners.data[i + 2]});
+    for (const auto& triangle : mesh.triangles)
+        for (const std::uint32_t corner : triangle)
+            if (corner >= count) throw nb::index_error("a triangle has a corner that is no vertex");
+    return mesh;
+}
+
+// (corners of each hull, closed, tolerance, surplus, uncovered)
+nb::object decompose_mesh(nb::object vertices, nb::object triangles, double tolerance, int max_parts,
+                          int max_vertices)
+{
+    if (!std::isfinite(tolerance) || tolerance < 0 || max_parts < 1 || max_parts > 256 ||
+        (max_vertices != 0 && max_vertices < 4))
+        throw nb::value_error(
+            "a tolerance of 0 or more, 1 to 256 parts, and 0 or at least 4 vertices are expected");
+    const Mesh mesh = mesh_of(vertices, triangles);
+    Decomposition out;
+    std::string problem;
+    bool done;
+    {
+        nb::gil_scoped_release without;
+        done = decompose(mesh, {tolerance, max_parts, unsigned(max_vertices)}, out, problem);
+    }
+    Call call;
+    if (!done) Call::say({true, d_ERR_UASSERT, problem});
+    call.done();
+    nb::list parts;
+    for (const Hull& hull : out.hulls) {
+        Reals corners;
+        for (const Vec& p : hull.corners()) corners.insert(corners.end(), {p.x, p.y, p.z});
+        parts.append(table(corners, corners.size() / 3, 3));
+    }
+    return nb::make_tuple(parts, out.is_closed, out.tolerance, out.surplus, out.uncovered);
+}
+
 }  // namespace
 
 void bind_robots(nb::module_& m)
 {
+    m.def("_decompose", decompose_mesh);
     nb::class_<Model>(m, "_RobotModel")
         .def(nb::new_([](const std::string& path, nb::object text, nb::dict options) {
                  return load(path, text, options);
@@ -513,6 +573,7 @@ void bind_robots(nb::module_& m)
         .def("poses", poses)
         .def("jacobian", get_jacobian)
         .def("mass_matrix", get_mass_matrix)
+        .def("constraints", get_constraints)
         .def("inverse_dynamics", get_inverse_dynamics)
         .def("inverse", get_inverse, "guess"_a, "goals"_a, "weights"_a.none(), "posture"_a.none(),
              "max_iterations"_a, "max_starts"_a, "tolerance"_a)
