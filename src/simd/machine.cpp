@@ -18,7 +18,7 @@ constexpr const char* kNames[] = {"baseline", "avx2", "avx512"};
 
 std::size_t runnable_kernels()
 {
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(EPODE_BASELINE)
     __builtin_cpu_init();
     if (!__builtin_cpu_supports("avx2")) return 1;
 #if defined(EPODE_LOWERED_AVX512)

@@ -9,7 +9,6 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 seconds=$1
 runs=${2:--1}
-export EPODE_KERNELS=baseline  # the only ones with checks
 export ASAN_OPTIONS=quarantine_size_mb=16
 cmake -S . -B build/fuzz -G Ninja -DCMAKE_C_COMPILER=clang-14 -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_BUILD_TYPE=Debug \
   -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g1" -DEPODE_SANITIZE=address -DEPODE_FUZZ=ON -DEPODE_PRECISIONS=double \

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// dWorldLoadFromBuffer on any bytes: refused, or a world that steps and is destroyed.
+// dWorldLoadFromBuffer on any bytes: refused, or a world that is destroyed, of which one in 16 steps before.
 #include <algorithm>
 #include <set>
 
@@ -54,13 +54,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static const bool ready = make_seeds();
     (void)ready;
     constexpr std::size_t kHeader = 32;
+    bool steps = false;
     Bytes file(data, data + size);
     if (size > kHeader) {
         std::uint64_t structure;
         std::memcpy(&structure, &file[8], 8);
         structure = std::min<std::uint64_t>(structure, size - kHeader);
         put(file, 8, structure), put(file, 16, std::uint64_t(size - kHeader - structure));
-        put(file, 24, epode::states::checksum(&file[kHeader], size - kHeader));
+        const std::uint64_t sum = epode::states::checksum(&file[kHeader], size - kHeader);
+        put(file, 24, sum);
+        steps = sum % 16 == 0;
     }
     dSpaceID space = nullptr;
     const auto load = [&] {
@@ -70,7 +73,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const dWorldID world = load();
     if (!world) return 0;
     dWorldSetStepThreads(world, 1);  // else it would be threads that take the time
-    dWorldStepFast1(world, dReal(0.01), 4);
+    if (steps) dWorldStepFast1(world, dReal(0.01), 4);
     destroy(world, space);
     return 0;
 }

@@ -17,7 +17,7 @@ constexpr JointKernels kBaseline = kernels_named("baseline");
 
 constexpr const JointKernels* kAll[] = {
     &kBaseline,
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(EPODE_BASELINE)
     &kAvx2JointKernels,
     &kAvx512JointKernels,
 #endif

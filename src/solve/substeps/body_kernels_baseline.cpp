@@ -16,7 +16,7 @@ constexpr BodyKernels kBaseline = kernels_named("baseline");
 
 constexpr const BodyKernels* kAll[] = {
     &kBaseline,
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(EPODE_BASELINE)
     &kAvx2BodyKernels,
     &kAvx512BodyKernels,
 #endif

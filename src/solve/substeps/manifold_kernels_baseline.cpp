@@ -16,7 +16,7 @@ constexpr ManifoldKernels kBaseline = kernels_named("baseline");
 
 constexpr const ManifoldKernels* kAll[] = {
     &kBaseline,
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(EPODE_BASELINE)
     &kAvx2ManifoldKernels,
     &kAvx512ManifoldKernels,
 #endif

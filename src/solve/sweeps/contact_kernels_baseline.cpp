@@ -16,7 +16,7 @@ constexpr ContactKernels kBaseline = kernels_named("baseline");
 
 constexpr const ContactKernels* kAll[] = {
     &kBaseline,
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(EPODE_BASELINE)
     &kAvx2ContactKernels,
     &kAvx512ContactKernels,
 #endif

@@ -16,7 +16,7 @@ constexpr FrontKernels kBaseline = kernels_named("baseline");
 
 constexpr const FrontKernels* kAll[] = {
     &kBaseline,
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(EPODE_BASELINE)
     &kAvx2FrontKernels,
     &kAvx512FrontKernels,
 #endif

@@ -15,7 +15,7 @@ constexpr RowKernels kBaseline = kernels_named("baseline");
 
 constexpr const RowKernels* kAll[] = {
     &kBaseline,
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(EPODE_BASELINE)
     &kAvx2RowKernels,
     &kAvx512RowKernels,
 #endif

@@ -15,7 +15,7 @@ constexpr CondensedKernels kBaseline = kernels_named("baseline");
 
 constexpr const CondensedKernels* kAll[] = {
     &kBaseline,
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(EPODE_BASELINE)
     &kAvx2CondensedKernels,
     &kAvx512CondensedKernels,
 #endif
