@@ -199,8 +199,8 @@ def decompose(mesh: Mesh, *, tolerance: float = 0.0, max_parts: int = 32, max_ve
     from . import _c
     if not hasattr(_c, "_decompose"):
         raise RefusedError("this build decomposes no meshes: it wants pugixml (Debian: libpugixml-dev)")
-    parts, *figures = _c._decompose(mesh.vertices, mesh.triangles, tolerance, max_parts, max_vertices)
-    return Decomposition([Convex(points) for points in parts], *figures)
+    parts, closed, tolerance, surplus, uncovered = _c._decompose(mesh.vertices, mesh.triangles, tolerance, max_parts, max_vertices)
+    return Decomposition([Convex(points) for points in parts], closed, tolerance, surplus, uncovered)
 
 
 @dataclasses.dataclass(eq=False)
