@@ -9,8 +9,9 @@
 
 namespace epode {
 
+extern const FloatJointKernels kAvx2FloatJointKernels;
 extern const JointKernels kAvx2JointKernels;
-constinit const JointKernels kAvx2JointKernels = kernels_named("avx2");
+constinit const JointKernels kAvx2JointKernels{"avx2", kKernels<Lanes>, &kAvx2FloatJointKernels};
 
 }  // namespace epode
 #endif

@@ -9,8 +9,9 @@
 
 namespace epode {
 
+extern const FloatJointKernels kAvx512FloatJointKernels;
 extern const JointKernels kAvx512JointKernels;
-constinit const JointKernels kAvx512JointKernels = kernels_named("avx512");
+constinit const JointKernels kAvx512JointKernels{"avx512", kKernels<Lanes>, &kAvx512FloatJointKernels};
 
 }  // namespace epode
 #endif

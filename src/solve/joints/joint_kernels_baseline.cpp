@@ -10,10 +10,11 @@
 namespace epode {
 
 extern const JointKernels kAvx2JointKernels, kAvx512JointKernels;
+extern const FloatJointKernels kBaselineFloatJointKernels;
 
 namespace {
 
-constexpr JointKernels kBaseline = kernels_named("baseline");
+constexpr JointKernels kBaseline{"baseline", kKernels<Lanes>, &kBaselineFloatJointKernels};
 
 constexpr const JointKernels* kAll[] = {
     &kBaseline,

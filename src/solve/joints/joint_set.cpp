@@ -325,13 +325,15 @@ void JointSetOf<L>::sweep(std::span<Velocity> bodies, const JointSweep& how)
 template <>
 void FloatJointSet::apply_impulses(std::span<FloatVelocity> bodies) const
 {
-    machine_->on_floats.apply_impulses(batches_.data(), int(batches_.size()), numbers_.data(), bodies.data());
+    machine_->floats->on_floats.apply_impulses(batches_.data(), int(batches_.size()), numbers_.data(),
+                                               bodies.data());
 }
 
 template <>
 void FloatJointSet::sweep(std::span<FloatVelocity> bodies, const JointSweep& how)
 {
-    machine_->on_floats.sweep(batches_.data(), int(batches_.size()), numbers_.data(), bodies.data(), how);
+    machine_->floats->on_floats.sweep(batches_.data(), int(batches_.size()), numbers_.data(), bodies.data(),
+                                      how);
 }
 
 // Calls f(row of the system, its place in the batch, the batch's numbers and layout, lane).

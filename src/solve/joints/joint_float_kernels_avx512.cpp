@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The joint kernels on float lanes, as joint_kernels_avx512.cpp has those on Reals.
+#if defined(__x86_64__)
+#include "solve/joints/joint_facts.inc"
+#include "solve/joints/joint_kernels.inc"
+
+namespace epode {
+
+extern const FloatJointKernels kAvx512FloatJointKernels;
+constinit const FloatJointKernels kAvx512FloatJointKernels{kKernels<FloatLanes>,
+                                                           kSweeps<FloatLanes, FloatVelocity>};
+
+}  // namespace epode
+#endif
