@@ -5,9 +5,10 @@
 // r at the speed v, a0 being the acceleration without it,
 //   a1 + d (b v + k r) = (1 - d) a0        d(r) impedance, k = d/(d1 T z)^2, b = 2/(d1 T), d1 the largest impedance,
 //                                          T time constant, z damping ratio; or k = d K/d1^2, b = B/d1 given as -K, -B
-// so that the force on an inverse mass A is (a1 - a0)/A = -(k r + b v + a1)/R with R = A (1 - d)/d: a spring of stiffness k/R,
-// a damper b/R, and an inertia 1/R, which is left out: it changes how a constraint yields, not where. The stiffness grows with r; ours does not, so it is taken where it carries a load F that is usual for the
-// robot: half its weight W for contacts, W/2 at the radius of gyration of what a joint carries for limits.
+// so that the force on an inverse mass A is (a1 - a0)/A = -(k r + b v + a1)/R with R = A (1 - d)/d: a spring of stiffness
+// k/R, a damper b/R, and an inertia 1/R, which is left out: it changes how a constraint yields, not where. That stiffness
+// grows with r and ours does not; ours is that at which a usual load of the robot is carried: half its weight W for contacts,
+// W/2 at the radius of gyration of what a joint carries for limits.
 //   A of a contact   the mean of the three directions of a link's centre, in the reference pose; of the world 0
 //   A of a limit     of the joint's coordinate
 #pragma once

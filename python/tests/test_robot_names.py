@@ -55,10 +55,10 @@ def test_every_function_has_a_name():
 
 @pytest.mark.parametrize("path", sorted(set(NAMES.values()) - OF_INSTANCES))
 def test_every_name_is_there(path):
-    thing = {"epode": epode, "robot": robot}[path.split(".")[0]]
+    found = {"epode": epode, "robot": robot}[path.split(".")[0]]
     for part in path.split(".")[1:]:
-        thing = getattr(thing, part)
-    assert thing.__doc__
+        found = getattr(found, part)
+    assert found.__doc__
 
 
 # An L of two boxes of 2 x 1 x 1 and 1 x 1 x 1: volume 3.
