@@ -3,7 +3,7 @@
 # Copyright (c) 2026 The Epode authors
 """Two threads of Python with a world each, compared with one thread with one world: python_threads.py [SECONDS], in an environment with
 epode. Steps of both in a second, divided by those of one; rounds take turns, and the middle ratio counts. The machine's load
-is printed beside it: where others want the processors, two threads are also given twice the time, so only an idle machine with two or
+is printed with it: where others want the processors, two threads are also given twice the time, so only an idle machine with two or
 more of them proves a gain. A Python loop in two threads, which the interpreter's lock keeps at about 1, is measured with them."""
 import os
 import statistics
@@ -19,7 +19,7 @@ ROUNDS = 5
 
 
 def pile():
-    """A hundred boxes on the ground, whose steps take long beside the call."""
+    """A hundred boxes on the ground, whose steps take much longer than the call."""
     world = epode.World(gravity=(0, 0, -9.81))
     world.plane()
     rng = np.random.default_rng(1)
