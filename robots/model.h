@@ -35,9 +35,8 @@ struct Mesh {
 // How MJCF softens a contact or a limit: its solref and solimp (softness.h).
 struct Softness {
     bool stated = false;  // false: rigid
-    double time = 0.02,
-           ratio =
-               1;  // time constant, s, and damping ratio; where not above 0 stiffness and damping, negated
+    // Time constant, s, and damping ratio; where the first is not above 0, stiffness and damping, negated.
+    double time = 0.02, ratio = 1;
     double low = 0.9, high = 0.95, width = 0.001, middle = 0.5, power = 2;  // impedance over the violation
 };
 

@@ -23,7 +23,7 @@ struct Spring {
     double stiffness = 0, damping = 0;  // 0: rigid
 };
 
-// Where the constraint of inverse mass A carries the load; rigid where nothing is stated, A is 0 or the impedance reaches 1.
+// Where the constraint of inverse mass A carries the load; rigid where nothing is stated or A is 0.
 Spring spring_of(const Softness& softness, double inverse_mass, double load);
 
 // Of all shapes and limits of a model that state a softness.

@@ -58,7 +58,7 @@ TEST_P(SlideStops, hold_the_anchor_of_what_swings_and_do_no_work)
     double farthest = 0;
     for (int i = 0; i < 5000; ++i) {
         swing.sim.advance(0.002);
-        // Half of the fall from stop to stop is a hundredth of what the stops of ODE added in a second.
+        // What a first-order step and the correction of the stop may add; those of ODE add without limit (D45).
         ASSERT_LT(swing.total(), start + 0.9) << "step " << i;
         farthest = std::max(farthest, std::fabs(swing.place()));
         ASSERT_LT(farthest, kStop + 0.03) << "step " << i;
