@@ -49,4 +49,5 @@ NB_MODULE(_c, m)
     bind_picture(m);
     bind_command(m);
     bind_robots(m);
+    bind_decomposition(m);
 }
