@@ -6,13 +6,13 @@
 // positions are p = q - r, so stops of s = sum f q are those of sum f p, moved by sum f r.
 #include <ode/ext.h>
 
+#include <numbers>
+
 #include "robots/build.h"
 
 namespace epode::robots {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // Up to eight hinges and sliders, not all factors 0.
 bool can_couple(const RobotModel& model, const std::vector<Coupling::Term>& terms)
@@ -35,7 +35,8 @@ dReal stop_of(double value)
 bool turns_far(const Joint& joint)
 {
     return joint.limited && joint.kind == JointKind::kHinge &&
-           (joint.low - joint.reference <= -kPi || joint.high - joint.reference >= kPi);
+           (joint.low - joint.reference <= -std::numbers::pi ||
+            joint.high - joint.reference >= std::numbers::pi);
 }
 
 // 0 of a relation that the world cannot hold.

@@ -6,14 +6,13 @@
 #include "robots/inertia.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "robots/meshes/solid.h"
 
 namespace epode::robots {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 Matrix diagonal(double x, double y, double z) { return {{{x, 0, 0}, {0, y, 0}, {0, 0, z}}}; }
 
@@ -28,7 +27,7 @@ Inertia box(Vec h)
 
 Inertia ellipsoid(Vec r)
 {
-    const double m = 4 * kPi / 3 * r.x * r.y * r.z;
+    const double m = 4 * std::numbers::pi / 3 * r.x * r.y * r.z;
     return {m,
             {},
             diagonal(m / 5 * (r.y * r.y + r.z * r.z), m / 5 * (r.x * r.x + r.z * r.z),
@@ -37,14 +36,14 @@ Inertia ellipsoid(Vec r)
 
 Inertia cylinder(double r, double half)
 {
-    const double m = kPi * r * r * 2 * half, side = m * (r * r / 4 + half * half / 3);
+    const double m = std::numbers::pi * r * r * 2 * half, side = m * (r * r / 4 + half * half / 3);
     return {m, {}, diagonal(side, side, m * r * r / 2)};
 }
 
 Inertia capsule(double r, double half)
 {
     const Inertia shaft = cylinder(r, half);
-    const double ball = 4 * kPi / 3 * r * r * r, l = 2 * half;
+    const double ball = 4 * std::numbers::pi / 3 * r * r * r, l = 2 * half;
     const double side = shaft.tensor[0][0] + ball * (0.4 * r * r + l * l / 4 + 0.375 * l * r);
     return {shaft.mass + ball, {}, diagonal(side, side, shaft.tensor[2][2] + 0.4 * ball * r * r)};
 }

@@ -16,6 +16,7 @@
 #include "robots/inverse.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "robots/constraints.h"
 #include "robots/kinematics.h"
@@ -26,7 +27,6 @@ namespace {
 
 using Column = std::vector<double>;
 
-constexpr double kTurn = 6.283185307179586476925;
 constexpr double kNullSpace = 1e-6;  // epsilon
 constexpr int kMaxPostureSteps = 100;
 constexpr double kHold = 100;  // weight of an error of a coupling or loop, of 1 m or rad
@@ -185,7 +185,7 @@ class Solver {
             velocity += size_t(velocities_of(joint));
             if (!joint.is_scalar() || !moves) continue;
             double& its = q[size_t(joint.position)];
-            const double reach = joint.kind == JointKind::kHinge ? kTurn / 2 : 1;
+            const double reach = joint.kind == JointKind::kHinge ? std::numbers::pi : 1;
             const double low = joint.limited && std::isfinite(joint.low) ? joint.low : its - reach;
             const double high = joint.limited && std::isfinite(joint.high) ? joint.high : its + reach;
             its += share * (low + (high - low) * spread(std::uint64_t(number) * 4096 + i) - its);

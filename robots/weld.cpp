@@ -10,7 +10,7 @@ namespace epode::robots {
 
 namespace {
 
-struct Place {
+struct Merged {
     int link = 0;
     Pose pose;
 };
@@ -32,10 +32,10 @@ void merge(const Link& from, const Pose& pose, Link& into)
 void merge_fixed_links(RobotModel& model)
 {
     std::vector<Link> kept;
-    std::vector<Place> place(model.links.size());
+    std::vector<Merged> place(model.links.size());
     for (size_t i = 0; i < model.links.size(); ++i) {
         Link& link = model.links[i];
-        const Place parent = link.parent < 0 ? Place{} : place[size_t(link.parent)];
+        const Merged parent = link.parent < 0 ? Merged{} : place[size_t(link.parent)];
         const Pose pose = parent.pose * link.pose;
         if (i > 0 && link.joints.empty()) {
             place[i] = {parent.link, pose};
@@ -54,12 +54,12 @@ void merge_fixed_links(RobotModel& model)
     }
     model.links = std::move(kept);
     for (Frame& frame : model.frames) {
-        const Place& its = place[size_t(frame.link)];
+        const Merged& its = place[size_t(frame.link)];
         frame.pose = its.pose * frame.pose, frame.link = its.link;
     }
     for (Joint& joint : model.joints) joint.link = place[size_t(joint.link)].link;
     for (Closure& closure : model.closures) {
-        const Place &a = place[size_t(closure.link1)], &b = place[size_t(closure.link2)];
+        const Merged &a = place[size_t(closure.link1)], &b = place[size_t(closure.link2)];
         closure.pose1 = a.pose * closure.pose1, closure.link1 = a.link;
         closure.pose2 = b.pose * closure.pose2, closure.link2 = b.link;
     }

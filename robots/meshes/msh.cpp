@@ -12,7 +12,7 @@ namespace epode::robots {
 
 namespace {
 
-constexpr size_t kHead = 16;
+constexpr size_t kCounts = 16;
 
 template <class Number>
 std::array<Number, 3> three_at(const std::string& bytes, size_t at)
@@ -27,13 +27,13 @@ std::array<Number, 3> three_at(const std::string& bytes, size_t at)
 bool read_msh(const std::string&, const std::string& bytes, Mesh& mesh, std::string&)
 {
     std::uint32_t counts[4];
-    if (bytes.size() < kHead) return false;
-    std::memcpy(counts, bytes.data(), kHead);
+    if (bytes.size() < kCounts) return false;
+    std::memcpy(counts, bytes.data(), kCounts);
     const size_t vertices = counts[0], triangles = counts[3];
-    const size_t first_triangle = kHead + 12 * vertices + 12 * size_t(counts[1]) + 8 * size_t(counts[2]);
+    const size_t first_triangle = kCounts + 12 * vertices + 12 * size_t(counts[1]) + 8 * size_t(counts[2]);
     if (bytes.size() != first_triangle + 12 * triangles) return false;
     for (size_t i = 0; i < vertices; ++i) {
-        const auto v = three_at<float>(bytes, kHead + 12 * i);
+        const auto v = three_at<float>(bytes, kCounts + 12 * i);
         mesh.vertices.push_back({v[0], v[1], v[2]});
         if (!is_finite(mesh.vertices.back())) return false;
     }

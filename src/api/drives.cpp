@@ -23,8 +23,6 @@ using namespace epode;
 
 namespace {
 
-bool stepping(const Joint& joint) { return joint.world && joint.world->stepping; }
-
 bool has_coordinates(const Joint& joint) { return joint.attached() || is_coupling(joint); }
 
 bool has_axis(const Joint& joint, int axis) { return axis >= 0 && axis < axis_count(joint); }

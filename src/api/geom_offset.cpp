@@ -36,8 +36,6 @@ void set_world_rotation(Geom& geom, const Mat3& R)
     set_offset_rotation(geom, transpose(body_pose(geom).R) * R);
 }
 
-bool usable_matrix(const dReal* R) { return R && usable(R, 3) && usable(R + 4, 3) && usable(R + 8, 3); }
-
 }  // namespace
 
 // A placeable geom on a body in no locked space, with an offset to write to.

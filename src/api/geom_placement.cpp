@@ -11,8 +11,6 @@ using namespace epode;
 
 namespace {
 
-bool usable_matrix(const dReal* R) { return R && usable(R, 3) && usable(R + 4, 3) && usable(R + 8, 3); }
-
 // Moving a body moves all its geoms: none of them may lie in a locked space.
 bool may_move(const Geom& geom)
 {

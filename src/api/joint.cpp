@@ -19,8 +19,6 @@ using namespace epode;
 
 namespace {
 
-bool stepping(const Joint& joint) { return joint.world && joint.world->stepping; }
-
 // As a rule no world is in a step, and the joints, which may be many, need not be looked at.
 bool stepping(const JointGroup& group)
 {

@@ -26,7 +26,7 @@ constexpr int kMaxHistory = 100000;  // frames
 
 }  // namespace
 
-#define WORLD_OR(result)                        \
+#define IDLE_WORLD_OR(result)                   \
     World* const world = from_handle<World>(w); \
     EPODE_USER(world, result);                  \
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", result)
@@ -42,7 +42,7 @@ extern "C" {
 size_t dWorldGetStateSize(dWorldID w)
 {
     const FloatEnvironment floats;
-    WORLD_OR(0);
+    IDLE_WORLD_OR(0);
     STATE_OR(0);
     EPODE_USER_SAY(state.prepare() && state.write(Seal::kUnsealed), kOutOfMemory, 0);
     return state.written().size();
@@ -51,7 +51,7 @@ size_t dWorldGetStateSize(dWorldID w)
 int dWorldGetState(dWorldID w, void* buffer, size_t size)
 {
     const FloatEnvironment floats;
-    WORLD_OR(0);
+    IDLE_WORLD_OR(0);
     EPODE_USER(buffer, 0);
     STATE_OR(0);
     EPODE_USER_SAY(state.prepare() && state.write(Seal::kUnsealed), kOutOfMemory, 0);
@@ -63,7 +63,7 @@ int dWorldGetState(dWorldID w, void* buffer, size_t size)
 int dWorldSetState(dWorldID w, const void* buffer, size_t size)
 {
     const FloatEnvironment floats;
-    WORLD_OR(0);
+    IDLE_WORLD_OR(0);
     EPODE_USER(buffer, 0);
     STATE_OR(0);
     EPODE_USER_SAY(state.prepare(), kOutOfMemory, 0);
@@ -76,7 +76,7 @@ int dWorldSetState(dWorldID w, const void* buffer, size_t size)
 size_t dWorldGetStateDelta(dWorldID w, const void* base, size_t base_size, void* out, size_t capacity)
 {
     const FloatEnvironment floats;
-    WORLD_OR(0);
+    IDLE_WORLD_OR(0);
     EPODE_USER(base && (out || capacity == 0), 0);
     STATE_OR(0);
     EPODE_USER_SAY(state.prepare() && state.write(Seal::kSealed), kOutOfMemory, 0);
@@ -92,7 +92,7 @@ size_t dWorldGetStateDelta(dWorldID w, const void* base, size_t base_size, void*
 int dWorldSetStateDelta(dWorldID w, const void* base, size_t base_size, const void* delta, size_t delta_size)
 {
     const FloatEnvironment floats;
-    WORLD_OR(0);
+    IDLE_WORLD_OR(0);
     EPODE_USER(base && delta, 0);
     Array<std::uint32_t> whole;
     char text[200];
@@ -112,7 +112,7 @@ int dWorldSetStateDelta(dWorldID w, const void* base, size_t base_size, const vo
 int dWorldSetHistory(dWorldID w, int frames)
 {
     const FloatEnvironment floats;
-    WORLD_OR(0);
+    IDLE_WORLD_OR(0);
     EPODE_USER(frames >= 0 && frames <= kMaxHistory, 0);
     if (frames == 0 && !history_of(*world)) return 1;
     WorldArchive* const archive = archive_of(*world);
@@ -122,21 +122,21 @@ int dWorldSetHistory(dWorldID w, int frames)
 
 int dWorldGetHistory(dWorldID w)
 {
-    WORLD_OR(0);
+    IDLE_WORLD_OR(0);
     const History* history = history_of(*world);
     return history ? history->frames() : 0;
 }
 
 int dWorldGetHistoryFrames(dWorldID w)
 {
-    WORLD_OR(0);
+    IDLE_WORLD_OR(0);
     const History* history = history_of(*world);
     return history ? history->available() : 0;
 }
 
 size_t dWorldGetHistorySize(dWorldID w)
 {
-    WORLD_OR(0);
+    IDLE_WORLD_OR(0);
     const History* history = history_of(*world);
     return history ? history->bytes() : 0;
 }
@@ -144,7 +144,7 @@ size_t dWorldGetHistorySize(dWorldID w)
 int dWorldRollBack(dWorldID w, int frames)
 {
     const FloatEnvironment floats;
-    WORLD_OR(0);
+    IDLE_WORLD_OR(0);
     History* const history = history_of(*world);
     EPODE_USER_SAY(history && history->has_frames(), "the world has no history: dWorldSetHistory", 0);
     char text[120];

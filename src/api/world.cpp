@@ -39,9 +39,9 @@ Real square(Real x) { return x * x; }
 }  // namespace
 
 // The world behind the handle, or the call is refused with the given result.
-#define WORLD_OR(...)                           \
-    World* const world = from_handle<World>(w); \
-    EPODE_USER(world != nullptr __VA_OPT__(, ) __VA_ARGS__)
+#define WORLD_OR(...)                     \
+    World* world = from_handle<World>(w); \
+    EPODE_USER(world __VA_OPT__(, ) __VA_ARGS__)
 
 extern "C" {
 

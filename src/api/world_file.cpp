@@ -31,7 +31,7 @@ dWorldID handles_of(const WorldCopy& copy, dSpaceID* space)
 
 }  // namespace
 
-#define WORLD_OR(result)                                                         \
+#define IDLE_WORLD_AND_SPACE_OR(result)                                          \
     World* const world = from_handle<World>(w);                                  \
     EPODE_USER(world, result);                                                   \
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", result); \
@@ -45,7 +45,7 @@ dWorldID dWorldClone(dWorldID w, dSpaceID* from, dHandlePair* table, int capacit
 {
     const FloatEnvironment floats;
     const dSpaceID s = from ? *from : nullptr;
-    WORLD_OR(nullptr);
+    IDLE_WORLD_AND_SPACE_OR(nullptr);
     EPODE_USER(capacity >= 0 && (table || capacity == 0), nullptr);
     WorldCopy copy;
     const char* const wrong = clone_world(*world, space, copy, {table, capacity}, text, sizeof text);
@@ -55,7 +55,7 @@ dWorldID dWorldClone(dWorldID w, dSpaceID* from, dHandlePair* table, int capacit
 
 int dWorldCountHandles(dWorldID w, dSpaceID s)
 {
-    WORLD_OR(0);
+    IDLE_WORLD_AND_SPACE_OR(0);
     const int count = count_handles(*world, space, text, sizeof text);
     EPODE_USER_SAY(count > 0, text, 0);
     return count;
@@ -64,7 +64,7 @@ int dWorldCountHandles(dWorldID w, dSpaceID s)
 int dWorldSave(dWorldID w, dSpaceID s, const char* path)
 {
     const FloatEnvironment floats;
-    WORLD_OR(0);
+    IDLE_WORLD_AND_SPACE_OR(0);
     EPODE_USER(path, 0);
     Array<std::byte> bytes;
     const char* wrong = save_world(*world, space, bytes, text, sizeof text);
@@ -76,7 +76,7 @@ int dWorldSave(dWorldID w, dSpaceID s, const char* path)
 size_t dWorldSaveToBuffer(dWorldID w, dSpaceID s, void* buffer, size_t capacity)
 {
     const FloatEnvironment floats;
-    WORLD_OR(0);
+    IDLE_WORLD_AND_SPACE_OR(0);
     EPODE_USER(buffer || capacity == 0, 0);
     Array<std::byte> bytes;
     const char* const wrong = save_world(*world, space, bytes, text, sizeof text);

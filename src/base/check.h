@@ -81,4 +81,7 @@ inline bool usable(const Real* values, int count)
     return true;
 }
 
+// Of a dMatrix3, whose rows are four numbers long.
+inline bool usable_matrix(const Real* R) { return R && usable(R, 3) && usable(R + 4, 3) && usable(R + 8, 3); }
+
 }  // namespace epode

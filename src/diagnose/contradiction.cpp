@@ -18,11 +18,11 @@
 namespace epode {
 namespace {
 
-constexpr Real kOpen = Real(1e-3), kTorn = Real(1e-2);  // m, rad
-constexpr Real kPersists = Real(0.97);                  // of the error, after a step; ERP removes more
-constexpr double kSolved = 1e-6;                        // residual of the step
-constexpr int kPatience = 10;                           // steps
-constexpr Real kMotion = 2;                             // times the error that motion explains
+constexpr Real kGapOpen = Real(1e-3), kGapTorn = Real(1e-2);  // m, rad
+constexpr Real kPersists = Real(0.97);                        // of the error, after a step; ERP removes more
+constexpr double kSolved = 1e-6;                              // residual of the step
+constexpr int kPatience = 10;                                 // steps
+constexpr Real kMotion = 2;                                   // times the error that motion explains
 
 constexpr Real kLeastErp = Real(0.05);
 
@@ -108,18 +108,18 @@ void find_contradiction(const StepFacts& facts)
         const LockedError locked = loops ? locked_error(joint, info) : LockedError{};
         const Real error = locked.worst;
         const bool persists =
-            known.id == to_handle(&joint) && error > kOpen && error > kPersists * known.error;
+            known.id == to_handle(&joint) && error > kGapOpen && error > kPersists * known.error;
         known = {to_handle(&joint), error, persists ? known.steps + 1 : 0};
         if (known.steps < kPatience) continue;
         facts.findings.add({.kind = dDiagnosisContradiction,
                             .severity = !solved || error < kMotion * locked.by_motion ? dSeverityNote
-                                        : error > kTorn                               ? dSeverityError
+                                        : error > kGapTorn                            ? dSeverityError
                                                                                       : dSeverityWarning,
                             .body = to_handle(joint.body1()),
                             .other = joint.body2() ? to_handle(joint.body2()) : nullptr,
                             .joint = to_handle(&joint),
                             .figure = double(error),
-                            .threshold = double(kOpen)});
+                            .threshold = double(kGapOpen)});
     }
 }
 

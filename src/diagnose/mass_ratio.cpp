@@ -11,7 +11,7 @@ namespace epode {
 namespace {
 
 constexpr Real kRatio = 100;
-constexpr double kUnsolved = 1e-3, kTorn = 1e-2;
+constexpr double kUnsolved = 1e-3, kUnsolvedTorn = 1e-2;
 
 void add(Neighbours& n, const Body* other)
 {
@@ -44,7 +44,8 @@ void find_mass_ratio(const StepFacts& facts)
         const Real ratio = all.two && all.heaviest ? all.heaviest->mass.mass / body.mass.mass : 0;
         if (!(ratio > kRatio)) return;
         const bool unsolved = facts.report.residual > kUnsolved;
-        const bool torn = unsolved && std::max(facts.report.joint_error, facts.report.penetration) > kTorn;
+        const bool torn =
+            unsolved && std::max(facts.report.joint_error, facts.report.penetration) > kUnsolvedTorn;
         facts.findings.add({.kind = dDiagnosisMassRatio,
                             .severity = torn       ? dSeverityError
                                         : unsolved ? dSeverityWarning

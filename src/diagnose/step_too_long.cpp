@@ -18,7 +18,7 @@
 namespace epode {
 namespace {
 
-constexpr Real kFar = 1, kAbsurd = 3;
+constexpr Real kTurnFar = 1, kTurnAbsurd = 3;
 constexpr double kOpen = 1e-2, kTorn = 1e-1;  // m, of a joint
 
 bool is_round(const Sym3& I) { return I.xx == I.yy && I.yy == I.zz && I.xy == 0 && I.xz == 0 && I.yz == 0; }
@@ -65,15 +65,15 @@ void find_whips(const StepFacts& facts)
         const Sym3& I = body.inertia;
         const Real angle =
             std::sqrt(facts.swings[std::size_t(body.place)] / std::max(I.xx, std::max(I.yy, I.zz)));
-        if (!(angle > kFar)) return;
-        const double open = angle > kAbsurd ? facts.report.joint_error : 0;
+        if (!(angle > kTurnFar)) return;
+        const double open = angle > kTurnAbsurd ? facts.report.joint_error : 0;
         facts.findings.add({.kind = dDiagnosisStepTooLong,
                             .severity = open > kTorn   ? dSeverityError
                                         : open > kOpen ? dSeverityWarning
                                                        : dSeverityNote,
                             .body = to_handle(&body),
                             .figure = double(angle),
-                            .threshold = double(kFar)});
+                            .threshold = double(kTurnFar)});
     });
 }
 
@@ -90,12 +90,12 @@ void find_step_too_long(const StepFacts& facts)
     find_whips(facts);
     facts.for_each_body([&](Body& body, const BodyBefore& b) {
         const Real angle = facts.h * length(b.w);
-        if (!(angle > kFar) || is_round(body.inertia)) return;
+        if (!(angle > kTurnFar) || is_round(body.inertia)) return;
         facts.findings.add({.kind = dDiagnosisStepTooLong,
-                            .severity = angle > kAbsurd ? dSeverityError : dSeverityWarning,
+                            .severity = angle > kTurnAbsurd ? dSeverityError : dSeverityWarning,
                             .body = to_handle(&body),
                             .figure = double(angle),
-                            .threshold = double(kFar)});
+                            .threshold = double(kTurnFar)});
     });
 }
 

@@ -9,12 +9,12 @@
 namespace epode {
 namespace {
 
-constexpr unsigned kRows = 15, kDisabled = 16, kActive = 32;
+constexpr unsigned kRows = 15, kJointDisabled = 16, kJointActive = 32;
 static_assert(kMaxBlockRows <= int(kRows));
 
-constexpr std::uint32_t kDriven = 1, kContinuous = 2;  // of an axis
-constexpr std::uint32_t kBroken = 1;                   // of the limits
-constexpr std::uint32_t kLimits = 1 << kMaxAxes;       // of the drives: bits of axes, and this one
+constexpr std::uint32_t kAxisDriven = 1, kContinuous = 2;  // of an axis
+constexpr std::uint32_t kBroken = 1;                       // of the limits
+constexpr std::uint32_t kLimits = 1 << kMaxAxes;           // of the drives: bits of axes, and this one
 
 int max_rows(const Joint& joint)
 {
@@ -36,8 +36,8 @@ void state(AxisDrive& axis, StateStream& stream)
                         {&d.force_limit, 0, true, 0},
                         {&axis.reference, 0},
                         {&axis.force, 0}},
-                       (axis.driven ? kDriven : 0) | (axis.continuous ? kContinuous : 0));
-    if (stream.stores()) axis.driven = bits & kDriven, axis.continuous = bits & kContinuous;
+                       (axis.driven ? kAxisDriven : 0) | (axis.continuous ? kContinuous : 0));
+    if (stream.stores()) axis.driven = bits & kAxisDriven, axis.continuous = bits & kContinuous;
 }
 
 void state(BreakLimits& limits, StateStream& stream)
@@ -83,8 +83,8 @@ void state(JointDrives& drives, StateStream& stream)
 
 std::uint8_t state_bits(const Joint& joint)
 {
-    return std::uint8_t(joint.impulse_rows | (joint.disabled ? kDisabled : 0u) |
-                        (joint.world->joints.is_active(joint) ? kActive : 0u));
+    return std::uint8_t(joint.impulse_rows | (joint.disabled ? kJointDisabled : 0u) |
+                        (joint.world->joints.is_active(joint) ? kJointActive : 0u));
 }
 
 void state(Joint& joint, std::uint8_t bits, StateStream& stream)
@@ -93,9 +93,9 @@ void state(Joint& joint, std::uint8_t bits, StateStream& stream)
     if (!stream.demand(rows <= max_rows(joint), "a joint of the state has more impulses than rows")) return;
     if (stream.stores()) {
         joint.impulse_rows = std::uint8_t(rows);
-        joint.disabled = bits & kDisabled;
+        joint.disabled = bits & kJointDisabled;
         auto& joints = joint.world->joints;
-        bits& kActive ? joints.activate(joint) : joints.deactivate(joint);
+        bits& kJointActive ? joints.activate(joint) : joints.deactivate(joint);
     }
     if (rows > 0) stream.guesses(impulses(joint), rows);
     if (joint.type->state) joint.type->state(joint, stream);

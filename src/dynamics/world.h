@@ -89,5 +89,6 @@ struct HandleOf<World> {
 
 void mark_stepping(World& world, bool on);
 bool any_world_steps();  // of this process
+inline bool stepping(const Joint& joint) { return joint.world && joint.world->stepping; }
 
 }  // namespace epode

@@ -9,7 +9,7 @@
 namespace epode {
 namespace {
 
-constexpr int kAdvances = 500;
+constexpr int kImpactAdvances = 500;
 constexpr int kPieces = 256;
 
 // A convex solid in motion. `arm`: how far its core reaches from the centre of rotation.
@@ -97,7 +97,7 @@ class Encounter {
     {
         Real t = 0;
         Vec3 normal;
-        for (int i = 0; i < kAdvances; ++i) {
+        for (int i = 0; i < kImpactAdvances; ++i) {
             const Separation s = distance_of(a_.at(t), other_at_(t), way_ * (1 - t) + tolerance);
             if (!(s.distance < kInf)) return {};
             normal = s.normal;

@@ -11,7 +11,7 @@
 namespace epode {
 namespace {
 
-constexpr int kAdvances = 200;
+constexpr int kSweepAdvances = 200;
 constexpr Real kLevel = kSingle ? Real(1e-5) : Real(1e-10);  // slope below which a path does not approach
 
 // Solids within this distance touch.
@@ -33,7 +33,7 @@ SweepHit advance(const Way& way, Real limit, Real touch, const SeparationAt& sep
 {
     Real t = 0;
     Separation s;
-    for (int i = 0; i < kAdvances; ++i) {
+    for (int i = 0; i < kSweepAdvances; ++i) {
         s = separation_at(t, limit - t + touch);
         if (!(s.distance < kInf)) return {};
         const Real closing = -dot(way.along, s.normal);

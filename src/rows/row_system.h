@@ -54,6 +54,7 @@ struct RowNumbers {
     Real hi = kInf;
     Real p = 0;       // impulse: warm start in, answer out
     int parent = -1;  // row of the island, or -1
+    bool bounded() const { return lo > -kInf || hi < kInf; }
 };
 
 // The rows of one joint.

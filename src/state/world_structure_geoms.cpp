@@ -12,7 +12,7 @@
 namespace epode {
 namespace {
 
-constexpr std::size_t kGeomBytes = 32, kNameBytes = 5;
+constexpr std::size_t kGeomBytes = 32, kGeomNameBytes = 5;
 
 ContactWorld* contacts_of(World& world)
 {
@@ -123,7 +123,7 @@ void WorldStructure::visit_geoms_of_bodies()
         if (stream_.saves())
             for_each_geom(*body, [&](Geom& geom) { has_memory = all.push(&geom) && has_memory; });
         if (!stream_.demand(has_memory, kOutOfMemory)) return;
-        const int count = stream_.count(all.size(), kNameBytes, "geoms of a body");
+        const int count = stream_.count(all.size(), kGeomNameBytes, "geoms of a body");
         for (int i = count; i-- > 0 && !stream_.failed();)
             visit_geom_of_body(*body, stream_.saves() ? all[i] : nullptr);
     }

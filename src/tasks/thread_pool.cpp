@@ -23,7 +23,7 @@
 namespace epode {
 namespace {
 
-constexpr int kSpins = 4000;  // some ten microseconds
+constexpr int kPoolSpins = 4000;  // some ten microseconds
 constexpr std::size_t kStack = 512 * 1024;
 
 // Under the thread sanitizer the helpers are what is tested, and its slowness looks like lost cores.
@@ -104,7 +104,7 @@ void ThreadPool::work(int worker)
 
 unsigned ThreadPool::wait_for_news(unsigned seen)
 {
-    for (int spins = 0; spins < kSpins; ++spins) {
+    for (int spins = 0; spins < kPoolSpins; ++spins) {
         const unsigned news = news_.load(std::memory_order_acquire);
         if (news != seen) return news;
         spin_once();

@@ -17,7 +17,7 @@ namespace epode {
 
 namespace {
 
-std::atomic<std::uint64_t> g_serial{0};
+std::atomic<std::uint64_t> g_fields{0};
 
 constexpr Real kLevel = kSingle ? Real(1e-4) : Real(1e-7);  // sine of an angle that counts as flat
 
@@ -45,7 +45,7 @@ constinit thread_local int InHeightFunction::depth = 0;
 
 HeightfieldData::HeightfieldData() : Numbered(Tag::kHeightfieldData)
 {
-    serial = g_serial.fetch_add(1, std::memory_order_relaxed) + 1;
+    serial = g_fields.fetch_add(1, std::memory_order_relaxed) + 1;
 }
 
 HeightfieldData::~HeightfieldData() { drop_samples(); }

@@ -10,7 +10,7 @@ namespace epode {
 
 namespace {
 
-std::atomic<std::uint64_t> g_serial{0};
+std::atomic<std::uint64_t> g_meshes{0};
 
 class Locked {
   public:
@@ -27,7 +27,7 @@ class Locked {
 
 TrimeshData::TrimeshData() : Numbered(Tag::kTrimeshData)
 {
-    serial = g_serial.fetch_add(1, std::memory_order_relaxed) + 1;
+    serial = g_meshes.fetch_add(1, std::memory_order_relaxed) + 1;
 }
 
 TrimeshData::~TrimeshData()

@@ -11,7 +11,7 @@ namespace epode {
 
 namespace {
 
-constexpr Real kCoarse = Real(2e-5);                      // of the size: by how much a valley may be missed
+constexpr Real kValley = Real(2e-5);                      // of the size: by how much a valley may be missed
 constexpr Real kGap = kSingle ? Real(1e-2) : Real(1e-3);  // of the size
 constexpr int kRounds = 16;
 // Of the distance. An angle t between n and the direction of the nearest points is worth t^2 (R + g) / g of
@@ -71,7 +71,7 @@ Overlap curved_overlap(const ConvexView& a, const ConvexView& b, Real enough)
         if (h < least.depth) least = {between, h};
         if (h < 0) return least;
     }
-    expand(a, b, kCoarse * size, enough, least);
+    expand(a, b, kValley * size, enough, least);
     if (least.depth < enough) return least;
     Overlap flush;
     offer_face(a, -1, least.normal, a, b, flush);

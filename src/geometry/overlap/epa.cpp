@@ -13,8 +13,8 @@ namespace epode {
 namespace {
 
 constexpr int kVertices = 96;
-constexpr int kFaces = 256;
-constexpr int kEdges = 192;
+constexpr int kMaxFaces = 256;
+constexpr int kMaxEdges = 192;
 
 // Plain numbers, so that the arrays below cost nothing until they are used.
 struct Face {
@@ -53,9 +53,9 @@ class Polytope {
     const ConvexView& b_;
     Overlap& best_;
     Real vertices_[kVertices][3];
-    Face faces_[kFaces];
-    int edges_[kEdges][2];
-    int seen_[kFaces];
+    Face faces_[kMaxFaces];
+    int edges_[kMaxEdges][2];
+    int seen_[kMaxFaces];
     int vertex_count_ = 0, face_count_ = 0, edge_count_ = 0;
     Real scale_ = 0;
 };
@@ -108,7 +108,7 @@ bool Polytope::start(Vec3 direction)
 
 bool Polytope::add_face(int i, int j, int k)
 {
-    if (face_count_ == kFaces) return false;
+    if (face_count_ == kMaxFaces) return false;
     Face& f = faces_[face_count_++];
     f.v[0] = i, f.v[1] = j, f.v[2] = k;
     const Vec3 origin = load(vertices_[i]), e1 = load(vertices_[j]) - origin,
@@ -130,7 +130,7 @@ void Polytope::add_edge(int i, int j)
             edges_[k][0] = edges_[edge_count_][0], edges_[k][1] = edges_[edge_count_][1];
             return;
         }
-    if (edge_count_ < kEdges) edges_[edge_count_][0] = i, edges_[edge_count_][1] = j, ++edge_count_;
+    if (edge_count_ < kMaxEdges) edges_[edge_count_][0] = i, edges_[edge_count_][1] = j, ++edge_count_;
 }
 
 bool Polytope::share_edge(const Face& f, const Face& g)

@@ -15,7 +15,7 @@ namespace epode {
 
 namespace {
 
-constexpr int kEdges = 64;  // near, of either solid
+constexpr int kNearEdges = 64;  // near, of either solid
 constexpr int kProducts = 1200;
 
 // An edge in a's frame with its faces' normals.
@@ -25,7 +25,7 @@ struct Placed {
 
 struct NearEdges {
     union {
-        Placed edges[kEdges];  // left unwritten until used
+        Placed edges[kNearEdges];  // left unwritten until used
     };
     int count = 0;
     bool all = true;  // there was room
@@ -51,7 +51,7 @@ void gather(const FlatSolid& s, const Nearness& near, const Pose& place, NearEdg
         if (widest < (bound > 0 ? bound * e.cos_half : bound)) continue;
         const Vec3 p = s.vertices[std::size_t(e.from)], q = s.vertices[std::size_t(e.to)];
         if (std::min(dot(near.inward, p), dot(near.inward, q)) > near.limit) continue;
-        if (out.count == kEdges) {
+        if (out.count == kNearEdges) {
             out.all = false;
             return;
         }

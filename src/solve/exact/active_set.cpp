@@ -27,9 +27,9 @@ namespace epode {
 namespace {
 
 constexpr double kFeasible = 1e-11;  // relative tolerance of a sign, in units of the problem's velocity scale
-constexpr int kPatience = 8;         // rounds without a new minimum
-constexpr int kMaxPasses = 8;        // of refinement
-constexpr int kFew = 16;             // so few wrong rows never end the search
+constexpr int kRoundsWithoutGain = 8;  // rounds without a new minimum
+constexpr int kRefinements = 8;        // of refinement
+constexpr int kFew = 16;               // so few wrong rows never end the search
 
 // Guesses that settle have less than 0.4 of their rows wrong at first, 0.3 after one round, and fewer than
 // two rounds before. With friction, where rows have two bounds, 0.2 after one round and 0.6 of two rounds
@@ -79,12 +79,13 @@ bool ActiveSet::solve(ExactProblem& problem, PackedRows& rows, std::span<double>
         if (wrong == 0) return true;
         since = wrong < fewest ? 0 : since + 1;
         fewest = std::min(fewest, wrong);
-        const bool give_up = since >= kPatience || hopeless(wrong, before, rows.count(), friction, round);
+        const bool give_up =
+            since >= kRoundsWithoutGain || hopeless(wrong, before, rows.count(), friction, round);
         if (give_up && !settings.persistent) return false;
         before[1] = before[0], before[0] = wrong;
         if (since == 0)
             for (int k = 0; k < wrong; ++k) flip(rows, wrong_[std::size_t(k)]);
-        else if (since < kPatience)
+        else if (since < kRoundsWithoutGain)
             flip_apart(problem, rows, wrong);
         else
             flip(rows, wrong_[std::size_t(wrong) - 1]);
@@ -119,7 +120,7 @@ void ActiveSet::refine(ExactProblem& problem, PackedRows& rows, std::span<double
     const auto n = std::size_t(rows.count());
     const std::span<double> w = w_.first(n), scratch = scratch_.first(n);
     double before = HUGE_VAL;
-    for (int pass = 0; pass < kMaxPasses; ++pass) {
+    for (int pass = 0; pass < kRefinements; ++pass) {
         rows.momentum_change(problem, v, r_);
         rows.products(v, w);
         for (std::size_t i = 0; i < n; ++i) {

@@ -17,7 +17,7 @@
 namespace epode {
 namespace {
 
-constexpr int kMaxPasses = 4;
+constexpr int kEqualityPasses = 4;
 constexpr double kEnough = 1e-4;  // of the largest velocity change of a row
 
 class Equalities {
@@ -44,7 +44,7 @@ class Equalities {
         problem_.factor(D_);
         problem_.velocities(p_, v_);
         const double enough = kEnough * measure();
-        for (int pass = 0; pass < kMaxPasses; ++pass) {
+        for (int pass = 0; pass < kEqualityPasses; ++pass) {
             correct();
             if (measure() <= enough) return;
         }

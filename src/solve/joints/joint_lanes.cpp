@@ -52,8 +52,6 @@ bool arm_fits(const SolverBody& b, Vec3 r)
     return in_range(trace) && (largest <= bound || largest - dot(r, I * r) <= bound);
 }
 
-bool bounded(const RowNumbers& n) { return n.lo > -kInf || n.hi < kInf; }
-
 bool speed_fits(const RowSystem& system, int body)
 {
     if (body < 0) return true;
@@ -65,7 +63,7 @@ bool rows_fit(const RowSystem& system, const RowBlock& block)
 {
     const RowNumbers* rows = &system.numbers[std::size_t(block.first)];
     for (int i = 0; i < std::min(block.count, 3); ++i)
-        if (bounded(rows[i])) return false;  // becomes a joint of free form
+        if (rows[i].bounded()) return false;  // becomes a joint of free form
     Real sum = 0;
     for (int i = 0; i < block.count; ++i) sum += std::abs(rows[i].c) + rows[i].C + std::abs(rows[i].p);
     return in_range(sum);

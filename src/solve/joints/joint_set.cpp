@@ -13,8 +13,6 @@
 namespace epode {
 namespace {
 
-bool bounded(const RowNumbers& n) { return n.lo > -kInf || n.hi < kInf; }
-
 template <typename L>
 void set(L* to, int lane, Vec3 a)
 {
@@ -66,7 +64,7 @@ typename JointSetOf<L>::Shape JointSetOf<L>::shape_of(const RowSystem& system, c
 {
     Shape shape{block.form, block.count, 0};
     for (int i = 0; i < block.count; ++i)
-        if (bounded(system.numbers[std::size_t(block.first + i)])) {
+        if (system.numbers[std::size_t(block.first + i)].bounded()) {
             if (i < 3) shape.form = RowForm::kFree;
             ++shape.bounded;
         }
@@ -177,7 +175,7 @@ void JointSetOf<L>::place(const RowSystem& system, std::size_t b)
         const RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
         int free = 0, bound = batch.rows - batch.bounded;
         for (int i = 0; i < block.count; ++i) {
-            const bool has_bounds = bounded(numbers[i]);
+            const bool has_bounds = numbers[i].bounded();
             const int to = has_bounds ? bound++ : free++;
             source.row[to] = static_cast<unsigned char>(i);
             n[at.p + to][lane] = Number(numbers[i].p);

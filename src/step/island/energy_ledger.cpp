@@ -28,7 +28,7 @@ double damping_of(const Body& body)
 }
 
 // The velocity nearest to u between 0 and `target`.
-Real within(Real u, Real target)
+Real limited(Real u, Real target)
 {
     return target > 0 ? std::clamp(u, Real(0), target) : std::clamp(u, target, Real(0));
 }
@@ -39,7 +39,7 @@ struct RowWork {
     double whole() const { return 0.5 * double(p) * (double(before) + double(after)); }
     double of_correction() const
     {
-        return 0.5 * double(p) * (double(within(before, correction)) + double(within(after, correction)));
+        return 0.5 * double(p) * (double(limited(before, correction)) + double(limited(after, correction)));
     }
 };
 

@@ -21,7 +21,7 @@ constexpr Real kOn = 64 * kEpsilon;                        // of the size: this 
 constexpr Real kLook = kSingle ? Real(1e-2) : Real(1e-3);  // of the size: from how far the normal is seen
 constexpr Sphere kPoint{0};
 
-struct Line {
+struct WorldLine {
     Vec3 o, d;
     Vec3 at(Real t) const { return o + t * d; }
 };
@@ -46,7 +46,7 @@ struct Entry {
 };
 
 // Where the line, which begins outside, comes in; false when it passes.
-bool enters(const ConvexView& solid, const Line& line, Real on, Entry& out)
+bool enters(const ConvexView& solid, const WorldLine& line, Real on, Entry& out)
 {
     Vec3 n;
     for (int i = 0; i < kSteps; ++i) {
@@ -82,7 +82,7 @@ void ray_solid(const Geom& ray, const Pose& R, const Geom& b, const Pose& B, Con
     const Real reach = static_cast<const ShapeGeom<Ray>&>(ray).shape.length;
     if (!(reach >= 0)) return;
     const ConvexView solid = solid_view(b, B);
-    const Line line = {R.p, R.R.column(2)};
+    const WorldLine line = {R.p, R.R.column(2)};
     const Real size = solid.size + solid.radius, middle = dot(solid.pose.p - line.o, line.d);
     if (length2(line.at(middle) - solid.pose.p) > Real(1.01) * size * size) return;
     if (middle - Real(1.01) * size > reach || middle + Real(1.01) * size < 0) return;

@@ -16,7 +16,7 @@ namespace {
 constexpr Real kAligned = Real(1e-3);  // sine between normal and face normal
 
 // Everything in the box's frame.
-struct Case {
+struct CapsuleInBox {
     Vec3 from, to;  // the axis
     Vec3 half;
     Real radius;
@@ -24,7 +24,7 @@ struct Case {
 };
 
 // Least way to move the segment out of the box.
-void way_out(const Case& c, Vec3& normal, Real& depth)
+void way_out(const CapsuleInBox& c, Vec3& normal, Real& depth)
 {
     depth = kInf;
     const auto offer = [&](Vec3 n, Real margin) {
@@ -49,7 +49,7 @@ void way_out(const Case& c, Vec3& normal, Real& depth)
 }
 
 // The stretch of the axis between the planes of box axis i.
-void cut(const Case& c, int i, Real& lo, Real& hi)
+void cut(const CapsuleInBox& c, int i, Real& lo, Real& hi)
 {
     const Real o = c.from[i], d = c.to[i] - o;
     if (d == 0) return;
@@ -59,7 +59,7 @@ void cut(const Case& c, int i, Real& lo, Real& hi)
 }
 
 // The ball at parameter t, against the box moved along `normal`.
-bool ball_at(const Case& c, Real t, Vec3 normal, Real depth, const Pose& B, ContactPoint& out)
+bool ball_at(const CapsuleInBox& c, Real t, Vec3 normal, Real depth, const Pose& B, ContactPoint& out)
 {
     if (c.radius + depth < 0) return false;
     const Vec3 p = c.at(t), q = clamp_to_box(p, c.half);
@@ -78,12 +78,12 @@ int aligned_axis(Vec3 n, Real sine)
 
 // How deep the axis point p lies below face `axis`, or below the edge along `axis`, measured along the
 // normal.
-Real below_face(const Case& c, int axis, Vec3 normal, Vec3 p)
+Real below_face(const CapsuleInBox& c, int axis, Vec3 normal, Vec3 p)
 {
     const Real n = normal[axis];
     return (c.half[axis] - (n < 0 ? -p[axis] : p[axis])) / std::fabs(n);
 }
-Real below_edge(const Case& c, int axis, Vec3 normal, Vec3 p)
+Real below_edge(const CapsuleInBox& c, int axis, Vec3 normal, Vec3 p)
 {
     Vec3 n = normal;
     n.set(axis, 0);
@@ -91,7 +91,7 @@ Real below_edge(const Case& c, int axis, Vec3 normal, Vec3 p)
 }
 
 // Two points on a face or along an edge; false when there is no stretch, or it misses the deepest point.
-bool stretch(const Case& c, Vec3 normal, Real depth, const Pose& B, ContactSink& sink)
+bool stretch(const CapsuleInBox& c, Vec3 normal, Real depth, const Pose& B, ContactSink& sink)
 {
     const Vec3 d = c.to - c.from;
     const int face = aligned_axis(normal, kAligned);
@@ -117,7 +117,7 @@ bool stretch(const Case& c, Vec3 normal, Real depth, const Pose& B, ContactSink&
 }
 
 // Where an axis that pierces the box is deepest along `normal`: nearest to the supporting edge or face.
-Real deepest_parameter(const Case& c, Vec3 normal)
+Real deepest_parameter(const CapsuleInBox& c, Vec3 normal)
 {
     const Vec3 d = c.to - c.from;
     Vec3 corner = {normal.x >= 0 ? c.half.x : -c.half.x, normal.y >= 0 ? c.half.y : -c.half.y,
@@ -136,7 +136,7 @@ Real deepest_parameter(const Case& c, Vec3 normal)
 void capsule_box(const Capsule& a, const Pose& A, const Box& b, const Pose& B, ContactSink& sink)
 {
     const Vec3 reach = a.half_length * A.R.column(2);
-    const Case c = {B.to_local(A.p - reach), B.to_local(A.p + reach), b.half, a.radius};
+    const CapsuleInBox c = {B.to_local(A.p - reach), B.to_local(A.p + reach), b.half, a.radius};
     Real t = closest_to_box(c.from, c.to, c.half);
     const Vec3 p = c.at(t);
     Vec3 n = p - clamp_to_box(p, c.half);

@@ -14,7 +14,7 @@ namespace epode {
 namespace {
 
 // In the cylinder's frame.
-struct Case {
+struct CapsuleInCylinder {
     Vec3 from, d;
     Cylinder cylinder;
 
@@ -31,7 +31,7 @@ struct Case {
 };
 
 // Least distance over t in [0, 1]; of several equally near points any one will do, the manifold spreads them.
-Real nearest(const Case& c)
+Real nearest(const CapsuleInCylinder& c)
 {
     const Real at_from = c.slope(0), at_to = c.slope(1);
     if (at_from >= 0) return 0;
@@ -44,7 +44,7 @@ Real nearest(const Case& c)
 void capsule_cylinder(const Capsule& a, const Pose& A, const Cylinder& b, const Pose& B, ContactSink& sink)
 {
     const Vec3 reach = a.half_length * A.R.column(2);
-    const Case c = {B.to_local(A.p - reach), 2 * transposed_times(B.R, reach), b};
+    const CapsuleInCylinder c = {B.to_local(A.p - reach), 2 * transposed_times(B.R, reach), b};
     const Real t = nearest(c);
     Vec3 n = c.outward(t);
     const Real distance = length(n);

@@ -19,7 +19,7 @@ namespace epode {
 
 namespace {
 
-constexpr Real kSafeFraction = Real(0.999);  // less than this of a bound is no matter of rounding
+constexpr Real kFacetSafe = Real(0.999);  // less than this of a bound is no matter of rounding
 
 // The search for the direction of least overlap between the solid and the column under a facet.
 class LeastRise {
@@ -80,7 +80,7 @@ class LeastRise {
     // An overlap of more than this parts nothing and is worth nothing, whatever was rounded.
     Real enough() const
     {
-        const Real worth = kFaceFirst * depth / kSafeFraction;
+        const Real worth = kFaceFirst * depth / kFacetSafe;
         return worth > 2 * m_.slack ? worth : 2 * m_.slack;
     }
 

@@ -154,13 +154,13 @@ void meet(const Surface& a, const Pose& P, Other& b, ContactSink& sink)
 }
 
 // A range of samples, ends included.
-struct Samples {
+struct SampleRange {
     int from, to;
     int count() const { return to - from + 1; }
 };
 
 // Those under [lo, hi] and one more to each side; at most kMax. Empty when there are none.
-Samples samples_under(Real lo, Real hi, Real origin, Real cell, int cells, bool endless)
+SampleRange samples_under(Real lo, Real hi, Real origin, Real cell, int cells, bool endless)
 {
     constexpr Real kMax = 256, kFar = 1e9;
     Real from = std::floor((lo - origin) / cell) - 1, to = std::floor((hi - origin) / cell) + 2;
@@ -213,8 +213,8 @@ class TerrainSide {
     void each(const Aabb& box, const Visit& visit)
     {
         const Vec3 o = terrain_.low_corner(), cell = terrain_.cell();
-        const Samples x = cells_within(x_, (box.lo.x - o.x) / cell.x, (box.hi.x - o.x) / cell.x);
-        const Samples z = cells_within(z_, (box.lo.z - o.z) / cell.z, (box.hi.z - o.z) / cell.z);
+        const SampleRange x = cells_within(x_, (box.lo.x - o.x) / cell.x, (box.hi.x - o.x) / cell.x);
+        const SampleRange z = cells_within(z_, (box.lo.z - o.z) / cell.z, (box.hi.z - o.z) / cell.z);
         for (int j = z.from; j <= z.to; ++j)
             for (int i = x.from; i <= x.to; ++i)
                 if (!terrain_.hole(i, j) && !each_of_cell(i, j, box, visit)) return;
@@ -224,7 +224,7 @@ class TerrainSide {
     void take(Vec3 v) { box_ = {min(box_.lo, v), max(box_.hi, v)}; }
 
     // Cells of the window from one place to another, and a little more to each side for rounding.
-    static Samples cells_within(const Samples& window, Real from, Real to)
+    static SampleRange cells_within(const SampleRange& window, Real from, Real to)
     {
         constexpr Real kMargin = kSingle ? Real(0.01) : Real(1e-6);
         const Real first = std::max(std::floor(from - kMargin), Real(window.from));
@@ -296,7 +296,7 @@ class TerrainSide {
     }
 
     const Terrain& terrain_;
-    Samples x_{0, -1}, z_{0, -1};
+    SampleRange x_{0, -1}, z_{0, -1};
     Aabb box_{{kInf, kInf, kInf}, {-kInf, -kInf, -kInf}};
     Real lowest_ = kInf;
     bool holes_ = false;
