@@ -26,14 +26,14 @@ struct Golden {
 };
 
 constexpr Golden kGolden[2][8] = {
-    {{0xc83cf527d04ad2bf, 0x75564af0e7f4e0ca},
-     {0x73d6d6fe3b67be6f, 0xdd99295e626ef3a0},
+    {{0x72c204cfefe1aa68, 0xc4133da75f59ee47},
+     {0x86ac01c7e6aa328d, 0x61cd3661b14f6049},
      {0x7924e432361e3357, 0x4e42e2d845ba4803},
-     {0xe12133d47abf1edd, 0x4280744a6e52c5ba},
-     {0x8f998dfdfff47e24, 0x4e22a4e23e7f0326},
-     {0x51429152ae74bfa6, 0xd3dbe0c9764d211f},
+     {0xac3a47644ac7aa8e, 0x0e21a3b8fb69429c},
+     {0x72b608569b060889, 0xad1bf9024655185a},
+     {0x9209a64c2b19966e, 0x37d542e3eccd59b5},
      {0xc813878c5d14de0d, 0x63e536918b9af4b5},
-     {0x065c3ddf3d559090, 0xe2b218c708af1d70}},
+     {0xeec9cb770970d197, 0xfbc4839dfad92e36}},
     {{0x3b1db39ff826132c, 0x71279c2b028ed75e},
      {0xcbf5bfdbafc4a2d1, 0xdd586b1b590ce0d3},
      {0xa8940c956becddfd, 0xc8b4ebecd06fc319},

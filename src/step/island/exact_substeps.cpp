@@ -176,10 +176,8 @@ bool ExactSubsteps::next(IslandWork& first, const SolverSettings& settings, Solv
     if (!assemble(world_, hs_, kDirect, Tasks(1), arena_, work, nullptr)) return false;
     carry_contacts(first, work);
     map(work.system);
-    if (world_.projection_iterations > 0) {
-        add_tension(work, work.system.bodies, arena_);
-        leave_depth_to_projection(work.system);
-    }
+    if (!world_.acts_as_ode()) add_tension(work, work.system.bodies, hs_, arena_);
+    if (world_.projection_iterations > 0) leave_depth_to_projection(work.system);
     load_warm_start(first, work);
     SolveReport one;
     if (!kDirect.solve(work.system, settings, arena_, one) || !sound(work.system, 0)) return false;

@@ -79,11 +79,10 @@ class IslandStep {
         if (has_exact_substeps()) exact_substeps_.map(work_.system);
         for (std::size_t i = 0; i < reports.size(); ++i) report_errors(work_, int(i), reports[i]);
         if (watches_strain() && !strain_.begin(world_, work_, arena_)) return false;
-        if (projects()) {
-            add_tension(work_, work_.system.bodies, arena_);
-            leave_depth_to_projection(work_.system);
-        }
-        SubstepModel model(work_, step_info(world_, context_.h), tasks);
+        const bool tension =
+            !world_.acts_as_ode() && add_tension(work_, work_.system.bodies, inner_step(), arena_);
+        if (projects()) leave_depth_to_projection(work_.system);
+        SubstepModel model(work_, step_info(world_, context_.h), tension, tasks);
         const Substeps callbacks = model.callbacks();
         const bool inner = context_.solver.substeps;
         if (inner && !model.prepare(arena_)) return false;
@@ -187,6 +186,11 @@ class IslandStep {
         return work_.island.settles() && n < kManyIterations ? n * factor : n;
     }
     bool projects() const { return exact_ && world_.projection_iterations > 0; }
+    // What the impulses that joints remember are divided by to be forces.
+    Real inner_step() const
+    {
+        return context_.solver.substeps ? context_.h / Real(std::max(1, iterations())) : work_.system.h;
+    }
     bool has_exact_substeps() const { return exact_ && world_.exact_substeps > 1; }
     bool watches_strain() const { return context_.solver.substeps && !context_.strained.empty(); }
     std::span<bool> strained() const

@@ -255,7 +255,7 @@ class Projection {
             s.inertia = rotate(b.rotation(), b.inertia);
             s.inv_inertia = rotate(b.rotation(), b.inv_inertia);
         }
-        add_tension(work_, system_.bodies, arena_);
+        add_tension(work_, system_.bodies, work_.system.h, arena_);
     }
 
     void load_numbers()

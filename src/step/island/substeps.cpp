@@ -43,6 +43,14 @@ Quat quat_in(const Lanes* q, std::size_t lane)
 
 bool even(const Sym3& s) { return s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0; }
 
+bool is_raised(const Body& body, const SolverBody& solver)
+{
+    SolverBody plain;
+    load_inertia(body, plain);
+    const Sym3 &a = plain.inv_inertia, &b = solver.inv_inertia;
+    return a.xx != b.xx || a.yy != b.yy || a.zz != b.zz || a.xy != b.xy || a.xz != b.xz || a.yz != b.yz;
+}
+
 void load_pose(const Body& body, const SolverBody& solver, SolverPose& pose)
 {
     const Sym3& s = solver.inv_inertia;
@@ -98,7 +106,10 @@ void SubstepModel::load_body(std::size_t i, const Body& body, const SolverBody& 
     const std::size_t lane = i % kLanes;
     BodyLanes& to = lanes_[i / kLanes];
     if (lane == 0) to.any_gyroscopic = to.any_uneven = to.any_limit = false, to.finite = 0;
-    const bool uneven = !even(body.inv_inertia);
+    const bool raised = tension_ && is_raised(body, solver);
+    const Sym3 inv_inertia =
+        raised ? rotate(transpose(body.rotation()), solver.inv_inertia) : body.inv_inertia;
+    const bool uneven = raised || !even(body.inv_inertia);
     const bool gyroscopic = body.gyroscopic && !body.kinematic() && !even(body.inertia);
     const bool limit = body.max_angular_speed < kInf;
     to.any_uneven |= uneven, to.any_gyroscopic |= gyroscopic, to.any_limit |= limit;
@@ -110,7 +121,7 @@ void SubstepModel::load_body(std::size_t i, const Body& body, const SolverBody& 
     to.inv_mass[int(lane)] = solver.inv_mass;
     set(to.force, lane, load(body.facc)), set(to.torque, lane, load(body.tacc));
     set(to.inertia, lane, gyroscopic ? body.inertia : Sym3{});
-    set(to.inv_inertia, lane, body.inv_inertia);
+    set(to.inv_inertia, lane, inv_inertia);
     set(to.inv_in_world, lane, solver.inv_inertia);
 }
 

@@ -14,9 +14,9 @@ namespace epode {
 
 class SubstepModel {
   public:
-    // `info` is that of the whole step.
-    SubstepModel(IslandWork& work, const StepInfo& info, const Tasks& tasks)
-        : work_(work), info_(info), tasks_(tasks)
+    // `info` is that of the whole step. `tension`: inertias of the solver may be raised (step/island/tension.h).
+    SubstepModel(IslandWork& work, const StepInfo& info, bool tension, const Tasks& tasks)
+        : work_(work), info_(info), tension_(tension), tasks_(tasks)
     {
         info_.inner = true;  // joints keep the rows that they wrote at the beginning of the step
     }
@@ -40,6 +40,7 @@ class SubstepModel {
 
     IslandWork& work_;
     StepInfo info_;
+    bool tension_;
     Tasks tasks_;
     const BodyKernels& kernels_ = *body_kernels().back();
     std::span<BodyLanes> lanes_;

@@ -16,29 +16,37 @@
 //
 // Source: the geometric stiffness of constraints: Tournier, Nesme, Gilles & Faure, "Stable Constrained
 // Dynamics", ACM Trans. Graph. 34 (2015); mass scaling is common in explicit finite elements (Olovsson et
-// al., 2005). Rejected: S as a stiffness, M + h S with damped velocities, which takes four times the energy
-// from a swinging chain; and position correction alone, whose Newton steps do not converge on such poses.
+// al., 2005). The margin is narrow: links raised twice as far carry enough spin to throw the load, and with
+// h^2 F r = 1.25 I instead of I three links tear under a load of 1e5. Rejected: S as a stiffness, M + h S with
+// damped velocities, which takes four times the energy from a swinging chain; spins as large as the momentum
+// that they had, which tears as many; and position correction alone, whose Newton steps do not converge on
+// such poses.
 #include "step/island/tension.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace epode {
 namespace {
 
+// What a joint exerted, and its levers, squared.
 struct Load {
-    Vec3 P;       // impulse of the joint
-    Real r1, r2;  // levers
+    Vec3 P;
+    Real r1, r2;
 };
 
 Load load_of(const Joint& joint, const RowBlock& block, const RowSystem& system)
 {
+    const Real* p = impulses(joint);
+    if (block.point || block.form == RowForm::kPoint)
+        return {{p[0], p[1], p[2]}, length2(block.arms.r1), length2(block.arms.r2)};
     Load load{{}, 0, 0};
     for (int i = 0; i < block.count; ++i) {
         const Row& row = system.rows[std::size_t(block.first + i)];
         if (row.lin1 == Vec3{}) continue;
-        load.P += impulses(joint)[i] * row.lin1;
-        load.r1 = std::max(load.r1, length(row.ang1));
-        load.r2 = std::max(load.r2, length(row.ang2));
+        load.P += p[i] * row.lin1;
+        load.r1 = std::max(load.r1, length2(row.ang1));
+        load.r2 = std::max(load.r2, length2(row.ang2));
     }
     return load;
 }
@@ -54,39 +62,70 @@ void add_swing(Sym3& s, Vec3 P, Real k)
     s.xy -= k * n.x * n.y, s.xz -= k * n.x * n.z, s.yz -= k * n.y * n.z;
 }
 
-void raise(SolverBody& body, const Sym3& S)
+Real trace(const Sym3& s) { return s.xx + s.yy + s.zz; }
+
+bool raise(const Body& body, SolverBody& out, const Sym3& S)
 {
-    if (!(body.inv_mass > 0)) return;
-    Sym3 I = body.inertia;
-    const Real s = (S.xx + S.yy + S.zz) / 2, largest = std::max(I.xx, std::max(I.yy, I.zz));
-    if (!(s > largest) || !usable(s)) return;
+    const Real s = trace(S) / 2;
+    if (!(out.inv_mass > 0) || !(3 * s > trace(body.inertia)) || !usable(s)) return false;
+    Sym3 I = rotate(body.rotation(), body.inertia);
+    const Real largest = std::max(I.xx, std::max(I.yy, I.zz));
+    if (!(s > largest)) return false;
     const Real k = 1 - largest / s;
     I.xx += k * S.xx, I.yy += k * S.yy, I.zz += k * S.zz;
     I.xy += k * S.xy, I.xz += k * S.xz, I.yz += k * S.yz;
     Mat3 inverse;
-    if (!invert(full(I), inverse)) return;
-    body.inertia = I;
-    body.inv_inertia = symmetric_part(inverse);
+    if (!invert(full(I), inverse)) return false;
+    out.inertia = I;
+    out.inv_inertia = symmetric_part(inverse);
+    return true;
 }
+
+// Sums S of the bodies, which are made when the first joint needs them.
+class Swings {
+  public:
+    Swings(const IslandWork& work, Real h, Arena& arena) : work_(work), h_(h), arena_(arena) {}
+
+    void add(int body, const Load& load, Real lever2)
+    {
+        if (body < 0 || !matters(*work_.island.bodies[std::size_t(body)], length2(load.P) * lever2)) return;
+        if (S_.empty()) S_ = arena_.take_zeroed<Sym3>(int(work_.system.bodies.size()));
+        if (!S_.empty()) add_swing(S_[std::size_t(body)], load.P, h_ * std::sqrt(lever2));
+    }
+    std::span<const Sym3> sums() const { return S_; }
+
+  private:
+    // A quarter of what would raise the inertia.
+    bool matters(const Body& body, Real moment2) const
+    {
+        const Real quarter = trace(body.inertia) / 12;
+        return h_ * h_ * moment2 > quarter * quarter;
+    }
+
+    const IslandWork& work_;
+    Real h_;
+    Arena& arena_;
+    std::span<Sym3> S_;
+};
 
 }  // namespace
 
-void add_tension(const IslandWork& work, std::span<SolverBody> bodies, Arena& arena)
+bool add_tension(const IslandWork& work, std::span<SolverBody> bodies, Real h, Arena& arena)
 {
     Arena::Scope scope(arena);
-    auto S = arena.take_zeroed<Sym3>(int(bodies.size()));
-    if (S.empty()) return;
-    bool any = false;
+    Swings swings(work, h, arena);
     for (std::size_t k = 0; k < work.joints.size(); ++k) {
         const RowBlock& block = work.system.blocks[k];
         const Joint& joint = *work.joints[k];
         if (block.contact || joint.impulse_rows != block.count) continue;
         const Load load = load_of(joint, block, work.system);
-        add_swing(S[std::size_t(block.body1)], load.P, work.system.h * load.r1);
-        if (block.body2 >= 0) add_swing(S[std::size_t(block.body2)], load.P, work.system.h * load.r2);
-        any = true;
+        swings.add(block.body1, load, load.r1);
+        swings.add(block.body2, load, load.r2);
     }
-    for (std::size_t i = 0; any && i < bodies.size(); ++i) raise(bodies[i], S[i]);
+    bool raised = false;
+    for (std::size_t i = 0; i < swings.sums().size(); ++i)
+        raised |= raise(*work.island.bodies[i], bodies[i], swings.sums()[i]);
+    return raised;
 }
 
 }  // namespace epode

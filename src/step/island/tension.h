@@ -8,8 +8,8 @@
 
 namespace epode {
 
-// Raises the inertia of `bodies`, which are those of the island in its order, where the forces that its
-// joints remember are too stiff for the step. Out of memory: nothing is raised.
-void add_tension(const IslandWork& work, std::span<SolverBody> bodies, Arena& arena);
+// Raises the inertia of `bodies`, which are those of the island in its order, where the impulses that its
+// joints remember of the last step or substep of length h are too stiff for it; true: of some it has. Out of memory: nothing is raised.
+bool add_tension(const IslandWork& work, std::span<SolverBody> bodies, Real h, Arena& arena);
 
 }  // namespace epode

@@ -189,7 +189,7 @@ std::string name_of_way(const testing::TestParamInfo<Way>& way) { return way.par
 INSTANTIATE_TEST_SUITE_P(
     Ways, RandomTrees,
     testing::Values(Way{"exact", dWorldStep, 0}, Way{"exact_joints", with_exact_joints, 0},
-                    Way{"quick", dWorldQuickStep, 6}, Way{"substeps4", in_substeps<4>, kSingle, 200},
+                    Way{"quick", dWorldQuickStep, 5}, Way{"substeps4", in_substeps<4>, kSingle, 200},
                     Way{"substeps8", in_substeps<8>, kSingle, 200}, Way{"substeps16", in_substeps<16>, 0}),
     name_of_way);
 
