@@ -44,6 +44,13 @@ void set_touch(dGeomID geom, const Shape& shape, const Spring& spring, bool larg
     dGeomSetMaterial(geom, &material);
 }
 
+// Of a shape's frame the geom's: ODE's height fields have y up, and z towards the shape's -y.
+Pose geom_pose(const Shape& shape)
+{
+    constexpr double kHalf = 0.70710678118654752440;
+    return shape.kind == ShapeKind::kHeights ? shape.pose * Pose{{}, {kHalf, kHalf, 0, 0}} : shape.pose;
+}
+
 Pose at_centre(const Pose& link, Vec centre) { return link * Pose{centre, {}}; }
 
 // Mass that hangs on a link, itself included.
@@ -264,6 +271,8 @@ dGeomID Robot::make_geom(dSpaceID space, const Shape& shape)
             return nullptr;  // placed where its link stands: make_shape
         case ShapeKind::kHull:
             return nullptr;  // one or several: make_shape
+        case ShapeKind::kHeights:
+            return dCreateHeightfield(space, prepared_->heights(shape.field), 1);
         case ShapeKind::kTriangles:
             if (!prepared_->triangles(shape.mesh)) return nullptr;
             return dCreateTriMesh(space, prepared_->triangles(shape.mesh), nullptr, nullptr, nullptr);
@@ -295,7 +304,7 @@ void Robot::add_geom(dGeomID geom, int number, const Shape& shape)
     const dBodyID its = body(number);
     geoms_.push_back(geom);
     colors_.push_back({shape.color[0], shape.color[1], shape.color[2]});
-    const Pose offset = its ? Pose{-link.centre, {}} * shape.pose : reference_[size_t(number)] * shape.pose;
+    const Pose offset = (its ? Pose{-link.centre, {}} : reference_[size_t(number)]) * geom_pose(shape);
     const dQuaternion q = {dReal(offset.q.w), dReal(offset.q.x), dReal(offset.q.y), dReal(offset.q.z)};
     if (its) {
         dGeomSetBody(geom, its);

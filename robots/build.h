@@ -37,6 +37,7 @@ class Prepared {
     };
     // Of every mesh that was decomposed.
     const std::vector<Fit>& fits() const { return fits_; }
+    dHeightfieldDataID heights(int field) const { return heights_[size_t(field)]; }
     dTriMeshDataID triangles(int mesh) const { return triangles_[size_t(mesh)]; }
     const Springs& springs() const { return springs_; }
     const std::vector<std::array<int, 2>>& overlapping() const { return overlapping_; }
@@ -44,6 +45,7 @@ class Prepared {
   private:
     void make_hulls(int mesh);
     void make_triangles(size_t number);
+    void make_heights();
     void find_overlapping();
 
     RobotModel model_;
@@ -51,6 +53,7 @@ class Prepared {
     std::vector<std::vector<Hull>> hulls_;
     std::vector<Fit> fits_;
     std::vector<dTriMeshDataID> triangles_;
+    std::vector<dHeightfieldDataID> heights_;
     std::vector<std::vector<dReal>> corners_;
     std::vector<std::vector<dTriIndex>> indices_;
     std::vector<std::array<int, 2>> overlapping_;

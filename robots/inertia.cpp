@@ -69,6 +69,7 @@ Inertia in_its_frame(const Shape& shape, const std::vector<Mesh>& meshes)
                 return {solid.volume, solid.centre, solid.inertia};
             return {};
         case ShapeKind::kPlane:
+        case ShapeKind::kHeights:
             return {};
     }
     return {};

@@ -43,8 +43,8 @@ int index_of(const std::vector<Named>& list, const std::string& name)
 
 const char* name_of(ShapeKind kind)
 {
-    constexpr const char* names[] = {"sphere",    "box",   "capsule", "cylinder",
-                                     "ellipsoid", "plane", "hull",    "triangles"};
+    constexpr const char* names[] = {"sphere", "box",  "capsule",   "cylinder",    "ellipsoid",
+                                     "plane",  "hull", "triangles", "height field"};
     return names[int(kind)];
 }
 

@@ -21,7 +21,7 @@ namespace epode::robots {
 
 constexpr double kInfinity = HUGE_VAL;
 
-enum class ShapeKind { kSphere, kBox, kCapsule, kCylinder, kEllipsoid, kPlane, kHull, kTriangles };
+enum class ShapeKind { kSphere, kBox, kCapsule, kCylinder, kEllipsoid, kPlane, kHull, kTriangles, kHeights };
 const char* name_of(ShapeKind kind);
 
 struct Mesh {
@@ -30,6 +30,15 @@ struct Mesh {
     std::vector<Vec> vertices;  // scaled
     std::vector<std::array<std::uint32_t, 3>> triangles;
     bool counts_folds = false;  // its volume is the sum of all pyramids' sizes, inward ones too
+};
+
+// Ground over a rectangle about the origin, z up, in two triangles a cell that meet in the corners of the smallest
+// and the largest x and y alike.
+struct HeightField {
+    std::string path;                                  // of the file that the samples come from
+    double half_x = 0, half_y = 0, top = 0, base = 0;  // m; heights are 0 ... top, the base is below 0
+    int rows = 0, columns = 0;
+    std::vector<double> samples;  // 0 ... 1, row by row from the least y, the least x first
 };
 
 // How MJCF softens a contact or a limit: its solref and solimp (softness.h).
@@ -43,9 +52,10 @@ struct Softness {
 struct Shape {
     std::string name;
     ShapeKind kind = ShapeKind::kSphere;
-    Pose pose;      // in the link's frame
-    Vec size;       // sphere: radius; box, ellipsoid: half sizes; capsule, cylinder: radius, half length
-    int mesh = -1;  // of hulls and triangles
+    Pose pose;       // in the link's frame
+    Vec size;        // sphere: radius; box, ellipsoid: half sizes; capsule, cylinder: radius, half length
+    int mesh = -1;   // of hulls and triangles
+    int field = -1;  // of heights
     double friction = 1, rolling_friction = 0;
     Softness softness;
     std::uint32_t category = 1, collide = 1;
@@ -170,6 +180,7 @@ struct RobotModel {
     std::vector<std::array<int, 2>> excluded;  // pairs of links that do not touch
     std::vector<Start> starts;
     std::vector<Mesh> meshes;
+    std::vector<HeightField> fields;
     std::vector<ReportLine> report;
     Vec gravity{0, 0, -9.81};
     bool touches_itself = true;     // false: what overlaps at the reference position does not touch

@@ -49,6 +49,7 @@ Prepared::Prepared(RobotModel model)
       corners_(model_.meshes.size()),
       indices_(model_.meshes.size())
 {
+    make_heights();
     std::set<int> known;
     const auto prepare = [&](const Shape& shape, bool touches) {
         if (shape.mesh < 0 || !known.insert(shape.mesh).second) return;
@@ -72,6 +73,8 @@ Prepared::~Prepared()
 {
     for (dTriMeshDataID data : triangles_)
         if (data) dGeomTriMeshDataDestroy(data);
+    for (dHeightfieldDataID data : heights_)
+        if (data) dGeomHeightfieldDataDestroy(data);
 }
 
 // Plates and lines have none.
@@ -101,6 +104,24 @@ void Prepared::make_triangles(size_t number)
     const auto build = kReal == 8 ? &dGeomTriMeshDataBuildDouble : &dGeomTriMeshDataBuildSingle;
     build(triangles_[number], corners_[number].data(), 3 * kReal, int(mesh.vertices.size()),
           indices_[number].data(), int(indices_[number].size()), int(3 * sizeof(dTriIndex)));
+}
+
+// ODE's fields run from the largest y down.
+void Prepared::make_heights()
+{
+    for (const HeightField& field : model_.fields) {
+        std::vector<double> samples;
+        for (int row = field.rows; row-- > 0;) {
+            const double* const its = &field.samples[size_t(row) * size_t(field.columns)];
+            samples.insert(samples.end(), its, its + field.columns);
+        }
+        const dHeightfieldDataID data = dGeomHeightfieldDataCreate();
+        if (data)
+            dGeomHeightfieldDataBuildDouble(data, samples.data(), 1, dReal(2 * field.half_x),
+                                            dReal(2 * field.half_y), field.columns, field.rows,
+                                            dReal(field.top), 0, dReal(field.base), 0);
+        heights_.push_back(data);
+    }
 }
 
 // Links of one robot that overlap at its reference position: neighbours of neighbours, covers, collars. They would

@@ -127,24 +127,30 @@ void Mjcf::read_option(const Element& element)
     }
 }
 
+// Of a mesh or height field, as the compiler's folders have it.
+std::string Mjcf::asset_file(const Element& element) const
+{
+    std::string file = element.text("file");
+    if (compiler_.strip_path) file = std::filesystem::path(file).filename().string();
+    return joined(compiler_.mesh_dir.empty() ? compiler_.asset_dir : compiler_.mesh_dir, file);
+}
+
 void Mjcf::read_assets(const Element& section)
 {
     for (const Element& element : expand(section)) {
-        if (element.name() == "hfield" || element.name() == "skin" || element.name() == "model")
+        const std::string file = asset_file(element), named = element.text("name");
+        const std::string name = named.empty() ? std::filesystem::path(file).stem().string() : named;
+        if (element.name() == "hfield") fields_[name] = {element, file, -1, false};
+        if (element.name() == "skin" || element.name() == "model")
             reading_.note(Note::kIgnored, element, "asset <" + element.name() + ">");
         if (element.name() != "mesh") continue;
         const Attributes attributes = defaults_.of(element, "", reading_);
         Asset asset;
         asset.element = element;
-        asset.file = element.text("file");
-        if (compiler_.strip_path) asset.file = std::filesystem::path(asset.file).filename().string();
-        asset.file =
-            joined(compiler_.mesh_dir.empty() ? compiler_.asset_dir : compiler_.mesh_dir, asset.file);
+        asset.file = file;
         vec(attributes, "scale", asset.scale), vec(attributes, "refpos", asset.reference.p);
         std::vector<double> q;
         if (list(attributes, "refquat", 4, 4, q)) asset.reference.q = normalised({q[0], q[1], q[2], q[3]});
-        std::string name = element.text("name");
-        if (name.empty()) name = std::filesystem::path(asset.file).stem().string();
         assets_[name] = asset;
     }
 }

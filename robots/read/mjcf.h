@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The reader of MJCF, in three files: the document (compiler, assets, includes), the tree of bodies, and what acts on it
+// The reader of MJCF, in four files: the document (compiler, assets, includes), the tree of bodies, height fields, and what acts on it
 // (actuators, equalities, tendons, contacts, keys). Sections may stand in any order and be divided over files, so
 // they are collected first and read in the order in which they need each other.
 #pragma once
@@ -41,12 +41,20 @@ class Mjcf {
         bool tried = false;
     };
 
+    struct Field {
+        Element element;
+        std::string file;
+        int number = -1;
+        bool tried = false;
+    };
+
     // Children with the files that they include in place.
     std::vector<Element> expand(const Element& element);
     void include(const Element& element, std::vector<Element>& out);
     void read_compiler(const Element& element);
     void read_option(const Element& element);
     void read_assets(const Element& section);
+    std::string asset_file(const Element& element) const;
     void set_total_mass();
     void read_defaults(const Element& section) { defaults_.read(section, reading_); }
     void read_world(const Element& section) { read_bodies(section, {}); }
@@ -77,6 +85,12 @@ class Mjcf {
     int inline_mesh(const Asset& asset, bool counts_folds);
     Asset* mesh_named(const std::string& name, const Element& where);
     bool has_no_place(const Element& element);
+
+    // mjcf_heights.cpp
+    bool read_field(const Attributes& attributes, Shape& shape);
+    int make_field(const Field& asset);
+    bool read_samples(const Field& asset, HeightField& field, std::string& problem);
+    bool read_elevation(const Element& element, HeightField& field, std::string& problem);
 
     // mjcf_actions.cpp
     void read_actuators(const Element& section);
@@ -110,6 +124,7 @@ class Mjcf {
     Compiler compiler_;
     Defaults defaults_;
     std::map<std::string, Asset> assets_;
+    std::map<std::string, Field> fields_;
     std::map<std::string, std::unique_ptr<Document>> documents_;
     std::vector<std::string> including_;
     size_t includes_ = 0;

@@ -304,6 +304,7 @@ bool Mjcf::read_size(const Attributes& a, const std::string& type, Shape& shape)
         {"sphere", ShapeKind::kSphere},     {"capsule", ShapeKind::kCapsule},
         {"cylinder", ShapeKind::kCylinder}, {"ellipsoid", ShapeKind::kEllipsoid},
         {"box", ShapeKind::kBox},           {"plane", ShapeKind::kPlane}};
+    if (type == "hfield") return read_field(a, shape);
     if (type == "mesh" || (a.has("mesh") && type != "sdf")) return read_mesh(a, type, shape);
     const auto kind = kinds.find(type);
     if (kind == kinds.end())

@@ -20,6 +20,7 @@ using Node = pugi::xml_node;
 
 const char* type_of(ShapeKind kind)
 {
+    if (kind == ShapeKind::kHeights) return "hfield";
     return kind == ShapeKind::kHull || kind == ShapeKind::kTriangles ? "mesh" : name_of(kind);
 }
 
@@ -40,6 +41,7 @@ class MjcfWriter {
   private:
     void name_all();
     void write_meshes();
+    void write_fields();
     void write_bodies();
     void write_pose(Node node, const Pose& pose);
     void write_inertial(Node body, const Link& link);
@@ -110,6 +112,27 @@ void MjcfWriter::write_meshes()
         const std::string ending = ending_of(mesh.path);
         if (ending == "dae" || ending == "glb")
             losses_.add("MuJoCo itself reads no ." + ending + " meshes: turn them into .obj and name those");
+    }
+}
+
+// Texts of samples run from the largest y down.
+void MjcfWriter::write_fields()
+{
+    for (size_t i = 0; i < model_.fields.size(); ++i) {
+        const HeightField& field = model_.fields[i];
+        Node asset = section("asset").append_child("hfield");
+        set(asset, "name", "field" + std::to_string(i));
+        set(asset, "size", list_text({field.half_x, field.half_y, field.top, field.base}));
+        if (!field.path.empty()) {
+            set(asset, "file", path_from(folder_, field.path));
+            continue;
+        }
+        std::vector<double> texts;
+        for (int row = field.rows; row-- > 0;)
+            texts.insert(texts.end(), &field.samples[size_t(row) * size_t(field.columns)],
+                         &field.samples[size_t(row) * size_t(field.columns)] + field.columns);
+        set(asset, "nrow", field.rows), set(asset, "ncol", field.columns);
+        set(asset, "elevation", list_text(texts));
     }
 }
 
@@ -195,6 +218,8 @@ void MjcfWriter::write_size(Node geom, const Shape& shape)
             [[fallthrough]];
         case ShapeKind::kHull:
             return set(geom, "mesh", "mesh" + std::to_string(shape.mesh));
+        case ShapeKind::kHeights:
+            return set(geom, "hfield", "field" + std::to_string(shape.field));
     }
 }
 
@@ -385,6 +410,7 @@ WrittenRobot MjcfWriter::write()
         set(compiler, "inertiafromgeom", "false");
     set(root_.append_child("option"), "gravity", text_of(model_.gravity));
     write_meshes();
+    write_fields();
     write_bodies();
     write_closures();
     write_couplings();

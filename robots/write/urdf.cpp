@@ -121,7 +121,7 @@ void UrdfWriter::write_link(size_t number)
 
 void UrdfWriter::write_shape(Node link, const Shape& shape, const char* element, Vec shift)
 {
-    if (shape.kind == ShapeKind::kPlane || shape.kind == ShapeKind::kEllipsoid)
+    if (shape.kind == ShapeKind::kPlane || shape.kind == ShapeKind::kEllipsoid || shape.field >= 0)
         return losses_.add(std::string("URDF has no ") + name_of(shape.kind));
     if (shape.mesh >= 0 && model_.meshes[size_t(shape.mesh)].path.empty())
         return losses_.add("URDF has no meshes without a file");

@@ -12,6 +12,7 @@
 #include <random>
 
 #include "glb_files.h"
+#include "png_files.h"
 #include "robots/build.h"
 #include "robots/load.h"
 
@@ -273,6 +274,35 @@ offset="0"/><vcount>3 3 3 3</vcount><p>0 2 1 0 1 3 1 2 3 0 3 2</p></polylist></m
             std::ofstream(top / name, std::ios::binary) << (i == 0 ? bytes : mutated(bytes, random));
             const RobotModel model = load_robot_text((top / "r.urdf").string(), robot);
             if (i == 0 && name != "m.stl") { EXPECT_EQ(errors_of(model), "") << name; }
+        }
+    }
+    fs::remove_all(top);
+}
+
+// The same of height fields.
+TEST(HostileFiles, MutatedHeightsDoNotCrash)
+{
+    namespace fs = std::filesystem;
+    const fs::path top =
+        fs::temp_directory_path() / ("epode_fields_" + std::to_string(std::random_device()()));
+    fs::create_directories(top);
+    std::vector<unsigned char> pixels;
+    for (int i = 0; i < 30; ++i) pixels.push_back(static_cast<unsigned char>(i * i));
+    std::string binary("\5\0\0\0\6\0\0\0", 8);
+    for (int i = 0; i < 30; ++i) binary += std::string("\0\0\x80", 3) + (i % 2 ? '\x3f' : '\x40');
+    const std::pair<std::string, std::string> fields[] = {{"m.png", grey_png(6, 5, pixels)},
+                                                          {"m.bin", binary}};
+    for (const auto& [name, bytes] : fields) {
+        const std::string robot =
+            "<mujoco><asset><hfield name='h' size='1 1 1 1' file='" + name +
+            "'/></asset><worldbody><geom type='hfield' hfield='h'/></worldbody></mujoco>";
+        std::mt19937 random(13);
+        for (int i = 0; i < mutations(); ++i) {
+            std::ofstream(top / name, std::ios::binary) << (i == 0 ? bytes : mutated(bytes, random));
+            const RobotModel model = load_robot_text((top / "r.xml").string(), robot);
+            if (i == 0) { EXPECT_EQ(errors_of(model), "") << name; }
+            for (const HeightField& field : model.fields)
+                for (const double sample : field.samples) ASSERT_TRUE(sample >= 0 && sample <= 1);
         }
     }
     fs::remove_all(top);

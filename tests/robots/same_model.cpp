@@ -107,10 +107,21 @@ class Models : Comparison {
     {
         same(what + " kind", name_of(a.kind), name_of(b.kind));
         same(what + " pose", a.pose, b.pose);
-        if (a.kind != ShapeKind::kPlane && !is_mesh(a)) same(what + " size", a.size, b.size);
+        if (a.kind != ShapeKind::kPlane && a.field < 0 && !is_mesh(a)) same(what + " size", a.size, b.size);
+        if (a.field >= 0 && b.field >= 0) field(what, a_.fields[size_t(a.field)], b_.fields[size_t(b.field)]);
         if (!is_mesh(a) || !is_mesh(b)) return;
         const Mesh &one = a_.meshes[size_t(a.mesh)], &two = b_.meshes[size_t(b.mesh)];
         same(what + " mesh", one.path, two.path), same(what + " scale", one.scale, two.scale);
+    }
+
+    void field(const std::string& what, const HeightField& a, const HeightField& b)
+    {
+        same(what + " file", a.path, b.path);
+        same(what + " sides", Vec{a.half_x, a.half_y, a.top}, Vec{b.half_x, b.half_y, b.top});
+        same(what + " base", a.base, b.base);
+        same(what + " rows", a.rows, b.rows), same(what + " columns", a.columns, b.columns);
+        each(what + " samples", a.samples, b.samples,
+             [&](const std::string& its, double x, double y) { same(its, x, y); });
     }
 
     void softness(const std::string& what, const Softness& a, const Softness& b)
