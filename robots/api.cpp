@@ -8,6 +8,7 @@
 
 #include "robots/api.h"
 #include "robots/constraints.h"
+#include "robots/fluid.h"
 #include "robots/kinematics.h"
 #include "robots/load.h"
 #include "robots/write/write.h"
@@ -329,6 +330,20 @@ int dRobotModelGetInverseDynamics(dRobotModelID model, const dReal* positions, c
     });
 }
 
+int dRobotModelGetFluidForces(dRobotModelID model, const dReal* positions, const dReal* velocities,
+                              dReal* forces, int capacity)
+{
+    model = alive(model);
+    CHECK(can_compute(model, positions) && capacity >= 0 && (forces || capacity == 0), kPositions);
+    const int count = epode::robots::number_of_velocities(model->model);
+    CHECK(count == 0 || (velocities && are_usable(velocities, count)), "finite velocities");
+    return guarded(__func__, [&] {
+        const auto q = doubles_of(positions, model->model.coordinates);
+        return copy_positions(epode::robots::fluid_forces(model->model, q, doubles_of(velocities, count)),
+                              forces, capacity);
+    });
+}
+
 dRobotID dRobotCreate(dWorldID world, dSpaceID space, dRobotModelID model, const dReal* position,
                       const dReal* q)
 {
@@ -435,4 +450,11 @@ int dRobotSetTarget(dRobotID robot, int joint, dReal target, dReal stiffness, dR
           "finite numbers, and stiffness and damping of 0 or more");
     robot->robot->set_servo(joint, {double(stiffness), double(damping), double(target)});
     return 1;
+}
+
+int dRobotAddFluidForces(dRobotID robot, dReal stepsize)
+{
+    robot = alive(robot);
+    CHECK(robot && is_usable(stepsize) && stepsize >= 0, "a robot and a stepsize of 0 or more");
+    return robot->robot->add_fluid_forces(double(stepsize));
 }

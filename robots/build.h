@@ -107,6 +107,9 @@ class Robot {
     void set_control(int actuator, double value);
     double control(int actuator) const { return controls_[size_t(actuator)]; }
     void set_servo(int joint, const Servo& servo);
+    // What the medium exerts until the next step, of that size; 0: as if steps were infinitely small. Returns how many
+    // boxes it acts on (fluid.h).
+    int add_fluid_forces(double stepsize);
 
   private:
     void make_bodies(dWorldID world);

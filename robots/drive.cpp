@@ -14,6 +14,7 @@
 
 #include "robots/body_poses.h"
 #include "robots/build.h"
+#include "robots/fluid.h"
 #include "robots/kinematics.h"
 
 namespace epode::robots {
@@ -191,6 +192,31 @@ void Robot::set_tendon_drive(int number)
         r += term.factor * model().joints[size_t(term.joint)].reference;
     set_drive({tendons_[size_t(number)], r, tendon.stiffness, r, tendon.damping, 0, 0}, {}, kInfinity, -1,
               number);
+}
+
+// Added to what the program's own forces have gathered. Bodies that sleep or are moved by the program have none.
+int Robot::add_fluid_forces(double stepsize)
+{
+    int count = 0;
+    const Vec wind = rotate(placement_.q, model().medium.wind);
+    for (size_t i = 1; i < bodies_.size(); ++i) {
+        const dBodyID its = bodies_[i];
+        if (!its || !dBodyIsEnabled(its) || dBodyIsKinematic(its)) continue;
+        for (const FluidBox& box : model().links[i].boxes) {
+            const Pose at = pose_of(its) * Pose{-model().links[i].centre, {}} * box.pose;
+            const Quat back = conjugate(at.q);
+            const Vec w = vec_of(dBodyGetAngularVel(its)), arm = at.p - vec_of(dBodyGetPosition(its));
+            const Vec v = vec_of(dBodyGetLinearVel(its)) + cross(w, arm) - wind;
+            const FluidForce felt =
+                fluid_force(box, model().medium, rotate(back, v), rotate(back, w), stepsize);
+            const Vec force = rotate(at.q, felt.force);
+            const Vec torque = rotate(at.q, felt.torque) + cross(arm, force);
+            dBodyAddForce(its, dReal(force.x), dReal(force.y), dReal(force.z));
+            dBodyAddTorque(its, dReal(torque.x), dReal(torque.y), dReal(torque.z));
+            ++count;
+        }
+    }
+    return count;
 }
 
 void Robot::set_drive(const Passive& passive, const Servo& servo, double limit, int joint, int tendon)

@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kTurn = 6.283185307179586476925;
 
-// Makes the element (p, q) of a zero.
-void jacobi_rotate(Matrix& a, size_t p, size_t q)
+// Makes the element (p, q) of a zero, unless it is at most `tiny`; axes, if any, turn with it.
+void jacobi_rotate(Matrix& a, size_t p, size_t q, double tiny = 0, Matrix* axes = nullptr)
 {
-    if (a[p][q] == 0) return;
+    if (std::fabs(a[p][q]) <= tiny) return;
     const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
     const double t = (theta >= 0 ? 1 : -1) / (std::fabs(theta) + std::sqrt(theta * theta + 1));
     const double c = 1 / std::sqrt(t * t + 1), s = t * c;
@@ -27,6 +27,10 @@ void jacobi_rotate(Matrix& a, size_t p, size_t q)
     for (size_t k = 0; k < 3; ++k) {
         const double pk = a[p][k], qk = a[q][k];
         a[p][k] = c * pk - s * qk, a[q][k] = s * pk + c * qk;
+    }
+    for (size_t k = 0; axes && k < 3; ++k) {
+        const double kp = (*axes)[k][p], kq = (*axes)[k][q];
+        (*axes)[k][p] = c * kp - s * kq, (*axes)[k][q] = s * kp + c * kq;
     }
 }
 
@@ -162,6 +166,20 @@ std::array<double, 3> principal_moments(const Matrix& inertia)
     std::array<double, 3> values{a[0][0], a[1][1], a[2][2]};
     std::sort(values.begin(), values.end());
     return values;
+}
+
+// What rounding leaves beside the diagonal would turn the axes of equal moments anyhow.
+PrincipalAxes principal_axes(const Matrix& inertia, Quat guess)
+{
+    constexpr double kRounding = 1e-13;
+    Matrix a = rotated(inertia, conjugate(guess)), axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    const double tiny = kRounding * (std::fabs(a[0][0]) + std::fabs(a[1][1]) + std::fabs(a[2][2]));
+    for (int sweep = 0; sweep < 12; ++sweep) {
+        jacobi_rotate(a, 0, 1, tiny, &axes);
+        jacobi_rotate(a, 0, 2, tiny, &axes);
+        jacobi_rotate(a, 1, 2, tiny, &axes);
+    }
+    return {guess * turn_of(axes), {a[0][0], a[1][1], a[2][2]}};
 }
 
 bool is_finite(Vec v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }

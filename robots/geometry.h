@@ -74,6 +74,13 @@ Matrix point_inertia(double mass, Vec r);
 // Eigenvalues of a symmetric matrix, ascending.
 std::array<double, 3> principal_moments(const Matrix& inertia);
 
+// A turn whose axes are principal ones, and the moments about them. Where moments are equal, the axes of the guess.
+struct PrincipalAxes {
+    Quat q;
+    Vec moments;
+};
+PrincipalAxes principal_axes(const Matrix& inertia, Quat guess);
+
 bool is_finite(Vec v);
 bool is_finite(const Matrix& m);
 

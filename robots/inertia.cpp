@@ -86,7 +86,7 @@ Matrix scaled_by(Matrix m, double factor)
 
 Inertia moved(const Inertia& inertia, const Pose& pose)
 {
-    return {inertia.mass, pose * inertia.centre, rotated(inertia.tensor, pose.q)};
+    return {inertia.mass, pose * inertia.centre, rotated(inertia.tensor, pose.q), pose.q * inertia.axes};
 }
 
 Inertia inertia_of(const Shape& shape, const std::vector<Mesh>& meshes)
@@ -105,6 +105,7 @@ Inertia with_mass(Inertia inertia, double mass)
 Inertia sum_of(const Inertia& a, const Inertia& b)
 {
     if (!(a.mass + b.mass > 0)) return {0, {}, a.tensor + b.tensor};
+    if (a.mass == 0 || b.mass == 0) return a.mass == 0 ? b : a;
     Inertia out;
     out.mass = a.mass + b.mass;
     out.centre = (1 / out.mass) * (a.mass * a.centre + b.mass * b.centre);

@@ -13,9 +13,10 @@ struct Inertia {
     double mass = 0;
     Vec centre;
     Matrix tensor{};
+    Quat axes{};  // along which a single part has its moments
 };
 
-// Of the whole shape at density 1, in the link's frame. Zero for planes, and for triangles that enclose nothing.
+// Of the whole shape at density 1, in the link's frame. Zero for planes and height fields, and for triangles that enclose nothing.
 Inertia inertia_of(const Shape& shape, const std::vector<Mesh>& meshes);
 Inertia with_mass(Inertia inertia, double mass);
 Inertia sum_of(const Inertia& a, const Inertia& b);

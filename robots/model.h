@@ -62,14 +62,31 @@ struct Shape {
     float color[4] = {0.7f, 0.7f, 0.7f, 1};
 };
 
+// What of a link a medium resists: a link of the file, as the box that has its inertia. Half sides, in m, along the axes
+// of the pose, which stands in the link's frame.
+struct FluidBox {
+    Pose pose;
+    double mass = 0;
+    Vec moments, half;
+};
+
+// Still air or water, but for the wind.
+struct Medium {
+    double density = 0, viscosity = 0;  // kg/m^3, Pa s
+    Vec wind;                           // m/s
+    bool acts() const { return density > 0 || viscosity > 0; }
+};
+
 struct Link {
     std::string name;
     int parent = -1;
     Pose pose;
-    std::vector<int> joints;  // none: fixed to the parent
-    double mass = 0;          // kg
-    Vec centre;               // of mass
-    Matrix inertia{};         // about the centre, in the link's axes
+    std::vector<int> joints;      // none: fixed to the parent
+    double mass = 0;              // kg
+    Vec centre;                   // of mass
+    Matrix inertia{};             // about the centre, in the link's axes
+    Quat inertia_axes;            // that a file has given it in, for where moments are equal
+    std::vector<FluidBox> boxes;  // none without a medium
     bool has_inertial = false;
     bool is_weightless = false;  // gravity does not pull it
     std::vector<Shape> shapes;   // what touches
@@ -183,6 +200,7 @@ struct RobotModel {
     std::vector<HeightField> fields;
     std::vector<ReportLine> report;
     Vec gravity{0, 0, -9.81};
+    Medium medium;
     bool touches_itself = true;     // false: what overlaps at the reference position does not touch
     bool largest_friction = false;  // of a pair, as MuJoCo has it; else the geometric mean
     int coordinates = 0;

@@ -20,6 +20,7 @@ void merge(const Link& from, const Pose& pose, Link& into)
     for (Shape shape : from.shapes) shape.pose = pose * shape.pose, into.shapes.push_back(shape);
     for (Shape visual : from.visuals) visual.pose = pose * visual.pose, into.visuals.push_back(visual);
     if (into.parent < 0) return;
+    for (FluidBox box : from.boxes) box.pose = pose * box.pose, into.boxes.push_back(box);
     if (from.mass > into.mass) into.is_weightless = from.is_weightless;
     const Inertia sum =
         sum_of({into.mass, into.centre, into.inertia}, moved({from.mass, from.centre, from.inertia}, pose));

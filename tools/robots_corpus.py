@@ -73,6 +73,20 @@ def by_judge(action):
         raise Refusal(str(problem).splitlines()[0][:150]) from problem
 
 
+def fluid_forces(model, data):
+    """What passive forces lose without the medium."""
+    import mujoco
+    if model.opt.density <= 0 and model.opt.viscosity <= 0:
+        return np.zeros(model.nv)
+    still = mujoco.MjData(model)
+    medium = model.opt.density, model.opt.viscosity
+    model.opt.density, model.opt.viscosity = 0, 0
+    still.qpos[:], still.qvel[:] = data.qpos, data.qvel
+    mujoco.mj_forward(model, still)
+    model.opt.density, model.opt.viscosity = medium
+    return data.qfrc_passive - still.qfrc_passive
+
+
 def judge_mjcf(library, path, root, random):
     import mujoco
     model = by_judge(lambda: mujoco.MjModel.from_xml_path(str(path)))
@@ -103,6 +117,7 @@ def judge_mjcf(library, path, root, random):
         found.numbers("mass matrix", mine.numbers("MassMatrix", data.qpos), full.ravel())
         found.numbers("bias forces", mine.numbers("InverseDynamics", data.qpos, np.array(data.qvel), None), data.qfrc_bias - data.qfrc_gravcomp)
         found.numbers("Jacobian", mine.numbers("Jacobian", data.qpos, model.nbody - 1, None), np.vstack([linear, angular]).ravel())
+        found.numbers("fluid forces", mine.numbers("FluidForces", data.qpos, np.array(data.qvel)), fluid_forces(model, data))
         poses = mine.poses(data.qpos)
         for i, link in enumerate(links):
             found.pose(link.name.decode(), poses[i], data.xpos[i], data.xmat[i].reshape(3, 3))
@@ -279,7 +294,11 @@ def main():
     parser.add_argument("--motion", action="store_true", help="one second of gymnasium's robots compared with MuJoCo's")
     parser.add_argument("--times", action="store_true", help="time to load the largest files, alongside MuJoCo and Pinocchio")
     parser.add_argument("--rest", action="store_true", help="where gymnasium's robots come to rest, alongside MuJoCo's")
+    parser.add_argument("--written", action="store_true", help="what is written, compiled by MuJoCo and compared with the original")
     arguments = parser.parse_args()
+    if arguments.written:
+        import robots_written  # which imports this file
+        return robots_written.table(arguments.library, arguments.fast, arguments.only)
     if arguments.rest:
         return robots_rest.table(arguments.library)
     if arguments.motion:

@@ -34,6 +34,7 @@ class World:
         self.library.dRobotGetJoint.argtypes = [handle, ctypes.c_int]
         self.library.dRobotSetControl.argtypes = [handle, ctypes.c_int, number]
         self.library.dRobotGetPositions.argtypes = [handle, handle, ctypes.c_int]
+        self.library.dRobotAddFluidForces.argtypes = [handle, number]
         self.library.dRobotDestroy.argtypes = [handle]
 
     def free_limits(self, robot, count):
@@ -55,6 +56,7 @@ class World:
         for i, control in enumerate(controls):
             self.library.dRobotSetControl(robot, i, control)
         for _ in range(round(SECONDS / step)):
+            self.library.dRobotAddFluidForces(robot, step)
             self.ode.dWorldStep(world, step)
         out = np.zeros(model.positions())
         self.library.dRobotGetPositions(robot, out.ctypes.data, len(out))
@@ -70,7 +72,7 @@ class Judge:
     def __init__(self, path):
         self.model = mujoco.MjModel.from_xml_path(str(path))
         options = self.model.opt
-        options.timestep, options.density, options.viscosity = STEP, 0, 0
+        options.timestep = STEP
         options.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT) | int(mujoco.mjtDisableBit.mjDSBL_LIMIT)
         low, high = np.clip(self.model.actuator_ctrlrange.T, -1, 1)
         self.controls = np.random.default_rng(3).uniform(0.2 * low, 0.2 * high)

@@ -205,6 +205,12 @@ ODE_API int dRobotModelGetInverseDynamics(dRobotModelID model, const dReal* posi
                                           const dReal* velocities, const dReal* accelerations, dReal* forces,
                                           int capacity);
 
+/** Writes what the medium of the file exerts at these velocities (MJCF: density, viscosity and wind of its option; the
+    inertia model of MuJoCo) to forces: a force, N or N m, for each velocity; zeros without a medium. At most
+    capacity reals are written. Returns how many there are. [ours] */
+ODE_API int dRobotModelGetFluidForces(dRobotModelID model, const dReal* positions, const dReal* velocities,
+                                      dReal* forces, int capacity);
+
 /** Returns the number of the link of that name, or of the link that the merged link or site of that name is
     part of, and writes where it stands in that link's frame to frame: 7 reals, position and quaternion.
     Returns -1 if there is none; frame stays then. [ours] */
@@ -310,6 +316,11 @@ ODE_API int dRobotGetVelocities(dRobotID robot, dReal* velocities, int capacity)
       has. [ours] */
 ODE_API int dRobotSetControl(dRobotID robot, int actuator, dReal control);
 ODE_API int dRobotSetTarget(dRobotID robot, int joint, dReal target, dReal stiffness, dReal damping);
+
+/** Adds what the medium of the file exerts to the forces on the robot's bodies: call it before every step, with its
+    size, s. Forces that would turn a link's motion round within such a step only stop it (0: all are as they are).
+    Returns how many links of the file they act on: 0 without a medium. Refused: a negative stepsize. [ours] */
+ODE_API int dRobotAddFluidForces(dRobotID robot, dReal stepsize);
 
 #ifdef __cplusplus
 }

@@ -311,6 +311,10 @@ class Model:
         return self._model.inverse_dynamics(positions, zeros if velocities is None else velocities,
                                             zeros if accelerations is None else accelerations)
 
+    def fluid_forces(self, positions: ArrayLike, velocities: ArrayLike) -> FloatArray:
+        """What the medium of an MJCF file (density, viscosity, wind) exerts at these velocities; zeros without one."""
+        return self._model.fluid_forces(positions, velocities)
+
     def gravity_forces(self, positions: ArrayLike) -> FloatArray:
         """Gravity compensation: the forces that hold the robot still."""
         return self.inverse_dynamics(positions)
@@ -465,6 +469,11 @@ class Robot:
         """Pull a hinge or slider, by name or number, to a target, m or rad, by a spring and damper, at most with the
         joint's max_force; both 0: no longer."""
         self._live.set_target(self._joint_number(joint), float(target), float(stiffness), float(damping))
+
+    def add_fluid_forces(self, h: float) -> int:
+        """Add what the medium of an MJCF file exerts to the forces on the bodies: call it before every step, with its size.
+        Returns how many links of the file they act on: 0 without a medium."""
+        return self._live.add_fluid_forces(h)
 
     def pose(self, frame: str) -> tuple[FloatArray, FloatArray]:
         """The position and the quaternion, in the world, of a link, merged link or site, by name."""

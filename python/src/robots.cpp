@@ -14,6 +14,7 @@
 
 #include "robots/build.h"
 #include "robots/constraints.h"
+#include "robots/fluid.h"
 #include "robots/inverse.h"
 #include "robots/kinematics.h"
 #include "robots/load.h"
@@ -224,6 +225,12 @@ nb::object get_inverse_dynamics(const Model& m, nb::object positions, nb::object
                                 read(accelerations, n, "accelerations"), m.model.gravity));
 }
 
+nb::object get_fluid_forces(const Model& m, nb::object positions, nb::object velocities)
+{
+    return row(
+        fluid_forces(m.model, read_positions(m, positions), read(velocities, speeds(m.model), "velocities")));
+}
+
 // (how far couplings and loops are from what they ask, its derivative by the velocities)
 nb::object get_constraints(const Model& m, nb::object positions)
 {
@@ -410,6 +417,16 @@ int link_of(const Built& robot, int link)
     return link;
 }
 
+int add_fluid_forces(Built& robot, double stepsize)
+{
+    if (!(stepsize >= 0) || !std::isfinite(stepsize)) throw nb::value_error("a step size must be 0 or more");
+    Call call;
+    call.uses(robot.robot->body(int(robot.model().links.size()) - 1));
+    const int count = robot.robot->add_fluid_forces(stepsize);
+    call.done();
+    return count;
+}
+
 void update(Built& robot, double stepsize)
 {
     if (!(stepsize > 0) || !std::isfinite(stepsize)) throw nb::value_error("a step size must be positive");
@@ -527,6 +544,7 @@ void bind_robots(nb::module_& m)
         .def("inverse_dynamics", get_inverse_dynamics)
         .def("inverse", get_inverse, "guess"_a, "goals"_a, "weights"_a.none(), "posture"_a.none(),
              "max_iterations"_a, "max_starts"_a, "tolerance"_a)
+        .def("fluid_forces", get_fluid_forces)
         .def("save", save)
         .def("text", text_of)
         .def("build", build);
@@ -544,6 +562,7 @@ void bind_robots(nb::module_& m)
         .def("control", [](const Built& s, int actuator) { return s.robot->control(actuator); })
         .def("set_control", set_control)
         .def("set_target", set_target)
+        .def("add_fluid_forces", add_fluid_forces)
         .def("update_sensors", update)
         .def("drive_forces", [](const Built& s) { return row(s.sensors->drive_forces()); })
         .def("imu", imu)

@@ -26,6 +26,7 @@ NAMES = {
     "dRobotModelGetPoses": "robot.Model.fk", "dRobotModelGetJacobian": "robot.Model.jacobian",
     "dRobotModelGetConstraints": "robot.Model.constraints", "dRobotModelGetMassMatrix": "robot.Model.mass_matrix",
     "dRobotModelGetInverseDynamics": "robot.Model.inverse_dynamics", "dRobotTargetInit": "robot.Target",
+    "dRobotModelGetFluidForces": "robot.Model.fluid_forces", "dRobotAddFluidForces": "robot.Robot.add_fluid_forces",
     "dRobotInverseOptionsInit": "robot.Model.ik", "dRobotModelGetInverse": "robot.Model.ik",
     "dRobotCreate": "robot.Model.build", "dRobotDestroy": "robot.Robot.destroy", "dRobotGetBody": "robot.Robot.body",
     "dRobotGetJoint": "robot.Robot.joint", "dRobotSetPositions": "robot.Robot.positions",

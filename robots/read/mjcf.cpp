@@ -3,6 +3,7 @@
 //
 // The document: see mjcf.h.
 #include "robots/read/mjcf.h"
+#include "robots/fluid.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -115,10 +116,12 @@ void Mjcf::read_compiler(const Element& element)
 void Mjcf::read_option(const Element& element)
 {
     reading_.vec(element, "gravity", model_.gravity);
-    double value = 0;
-    for (const char* name : {"density", "viscosity"})
-        if (reading_.number(element, name, value) && value > 0)
-            reading_.note(Note::kIgnored, element, std::string("the medium's ") + name);
+    reading_.number(element, "density", model_.medium.density);
+    reading_.number(element, "viscosity", model_.medium.viscosity);
+    reading_.vec(element, "wind", model_.medium.wind);
+    if (model_.medium.acts())
+        reading_.note_once(Note::kChanged, element,
+                           "the forces of the medium act where dRobotAddFluidForces is called before a step");
     for (const Element& flag : element.children("flag")) {
         if (flag.text("gravity") == "disable") model_.gravity = {};
         if (flag.text("contact") == "disable")
@@ -199,6 +202,7 @@ void Mjcf::read()
     read_sections(sections, "asset", &Mjcf::read_assets);
     read_sections(sections, "worldbody", &Mjcf::read_world);
     set_total_mass();
+    make_fluid_boxes(model_);
     number_coordinates(model_);
     if (model_.has_errors()) return;
     read_sections(sections, "contact", &Mjcf::read_contacts);

@@ -164,7 +164,7 @@ void Mjcf::read_inertial(const Attributes& attributes, const Pose& frame, Inerti
     if (vec(attributes, "diaginertia", d)) tensor = {{{d.x, 0, 0}, {0, d.y, 0}, {0, 0, d.z}}};
     if (list(attributes, "fullinertia", 6, 6, f))
         tensor = {{{f[0], f[3], f[4]}, {f[3], f[1], f[5]}, {f[4], f[5], f[2]}}};
-    out.centre = pose.p, out.tensor = rotated(tensor, pose.q);
+    out.centre = pose.p, out.tensor = rotated(tensor, pose.q), out.axes = pose.q;
     if (out.mass < 0) reading_.error(attributes.element(), "a negative mass"), out.mass = 0;
 }
 
@@ -393,6 +393,7 @@ void Mjcf::finish_link(Link& link, const Inertia& of_geoms, const Inertia* inert
     const bool by_geoms = compiler_.from_geoms == "true" || (compiler_.from_geoms == "auto" && !inertial);
     const Inertia none, &its = by_geoms ? of_geoms : inertial ? *inertial : none;
     link.mass = its.mass, link.centre = its.centre, link.inertia = its.tensor;
+    link.inertia_axes = its.axes;
     link.has_inertial = its.mass > 0;
     link.mass = std::max(link.mass, compiler_.bound_mass);
     if (compiler_.balance && !fault_of(link.inertia).empty() && link.mass > 0) {

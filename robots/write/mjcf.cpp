@@ -40,6 +40,7 @@ class MjcfWriter {
 
   private:
     void name_all();
+    void write_option(Node option);
     void write_meshes();
     void write_fields();
     void write_bodies();
@@ -85,6 +86,15 @@ void MjcfWriter::name_all()
         joints_.push_back(joints.unique(model_.joints[i].name, "joint", i));
     for (size_t i = 0; i < model_.tendons.size(); ++i)
         tendons_.push_back(tendons.unique(model_.tendons[i].name, "tendon", i));
+}
+
+void MjcfWriter::write_option(Node option)
+{
+    set(option, "gravity", text_of(model_.gravity));
+    const Medium& medium = model_.medium;
+    if (!medium.acts()) return;
+    set(option, "density", medium.density), set(option, "viscosity", medium.viscosity);
+    set(option, "wind", text_of(medium.wind));
 }
 
 // Of a mesh without a file.
@@ -148,6 +158,12 @@ void MjcfWriter::write_inertial(Node body, const Link& link)
     const Matrix& i = link.inertia;
     Node inertial = body.append_child("inertial");
     set(inertial, "pos", text_of(link.centre)), set(inertial, "mass", link.mass);
+    if (link.boxes.size() > 1)
+        losses_.add("links that are merged resist the medium as one: load with keep_fixed");
+    if (link.boxes.size() == 1) {  // whose axes the medium knows
+        set(inertial, "quat", text_of(link.boxes[0].pose.q));
+        return set(inertial, "diaginertia", text_of(link.boxes[0].moments));
+    }
     // MuJoCo takes zeros, which bodies that do not move may have, in this form alone.
     const bool is_diagonal = i[0][1] == 0 && i[0][2] == 0 && i[1][2] == 0;
     if (is_diagonal)
@@ -408,7 +424,7 @@ WrittenRobot MjcfWriter::write()
     Node compiler = root_.append_child("compiler");
     set(compiler, "angle", "radian"), set(compiler, "autolimits", "false"),
         set(compiler, "inertiafromgeom", "false");
-    set(root_.append_child("option"), "gravity", text_of(model_.gravity));
+    write_option(root_.append_child("option"));
     write_meshes();
     write_fields();
     write_bodies();

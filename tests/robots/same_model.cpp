@@ -64,6 +64,9 @@ class Models : Comparison {
         relations();
         actuators();
         same("gravity", a_.gravity, b_.gravity);
+        same("density", a_.medium.density, b_.medium.density);
+        same("viscosity", a_.medium.viscosity, b_.medium.viscosity);
+        same("wind", a_.medium.wind, b_.medium.wind);
         return found;
     }
 
@@ -87,6 +90,10 @@ class Models : Comparison {
                 const double size = std::max(1e-12, a.inertia[0][0] + a.inertia[1][1] + a.inertia[2][2]);
                 same(what + " inertia", a.inertia[i][k] / size, b.inertia[i][k] / size);
             }
+        each(what + " boxes", a.boxes, b.boxes,
+             [&](const std::string& its, const FluidBox& x, const FluidBox& y) {
+                 same(its, x.pose, y.pose), same(its + " half", x.half, y.half);
+             });
         each(what + " shapes", a.shapes, b.shapes,
              [&](const std::string& its, const Shape& x, const Shape& y) {
                  shape(its, x, y);

@@ -13,7 +13,8 @@ namespace hostile {
 namespace {
 
 // Sensors of many kinds, on a ball joint's link.
-constexpr const char* kWatched = R"(<mujoco><worldbody><geom type="plane" size="5 5 1"/>
+constexpr const char* kWatched =
+    R"(<mujoco><option density="1000" viscosity="0.1" wind="1 0 0"/><worldbody><geom type="plane" size="5 5 1"/>
 <body name="mast" pos="0 0 1"><joint name="turn" type="ball"/><geom size="0.1" mass="1"/><site name="eye" pos="0 0 0.1"/>
 <body name="tip" pos="0 0 0.3"><joint name="knee" range="-1 1"/><geom size="0.1" mass="1"/></body></body></worldbody>
 <actuator><motor name="drive" joint="knee" ctrlrange="-1 1"/></actuator>
@@ -146,6 +147,7 @@ bool Scene::is_finite() const
 void Scene::step()
 {
     for (int i = 0; i < 2; ++i) {
+        for (const dRobotID robot : robots) dRobotAddFluidForces(robot, dReal(0.005));
         i ? dWorldStep(world, dReal(0.005)) : dWorldStepFast1(world, dReal(0.005), 4);
         for (const dRobotID robot : robots) dRobotUpdateSensors(robot, dReal(0.005));
     }
