@@ -183,15 +183,16 @@ void Robot::set_joint_drive(int number)
               servo, limit, number, -1);
 }
 
-// A tendon's spring rests at the reference position.
+// A tendon's spring rests at the reference position where nothing is stated.
 void Robot::set_tendon_drive(int number)
 {
     const Tendon& tendon = model().tendons[size_t(number)];
     double r = 0;
     for (const Coupling::Term& term : tendon.terms)
         r += term.factor * model().joints[size_t(term.joint)].reference;
-    set_drive({tendons_[size_t(number)], r, tendon.stiffness, r, tendon.damping, 0, 0}, {}, kInfinity, -1,
-              number);
+    set_drive({tendons_[size_t(number)], r, tendon.stiffness, tendon.has_rest ? tendon.rest : r,
+               tendon.damping, 0, 0},
+              {}, kInfinity, -1, number);
 }
 
 // Added to what the program's own forces have gathered. Bodies that sleep or are moved by the program have none.

@@ -142,6 +142,8 @@ struct Tendon {
     std::vector<Coupling::Term> terms;
     double low = -kInfinity, high = kInfinity;
     double stiffness = 0, damping = 0;
+    bool has_rest = false;  // else its spring rests at the reference position
+    double rest = 0;
     int line = 0;
 };
 
@@ -153,6 +155,8 @@ struct Actuator {
     double gear = 1, gain = 1, bias = 0, bias_position = 0, bias_velocity = 0;
     double low = -kInfinity, high = kInfinity;              // of the control
     double force_low = -kInfinity, force_high = kInfinity;  // of the force before the gear
+    // What MJCF says of an activation between control and force, which worlds do not have: attributes, to be written again.
+    std::vector<std::array<std::string, 2>> activation;
     int line = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "robots/kinematics.h"
+#include "robots/mass_factor.h"
 
 namespace epode::robots {
 
@@ -39,33 +40,6 @@ Spring spring_at(const Softness& s, double inverse_mass, double r)
     return {k / regular, b / regular};
 }
 
-// L of M = L L', row by row; false where M is not positive.
-bool factor(std::vector<double>& m, size_t n)
-{
-    for (size_t i = 0; i < n; ++i)
-        for (size_t j = 0; j <= i; ++j) {
-            double sum = m[i * n + j];
-            for (size_t k = 0; k < j; ++k) sum -= m[i * n + k] * m[j * n + k];
-            if (i == j && !(sum > 0)) return false;
-            m[i * n + j] = i == j ? std::sqrt(sum) : sum / m[j * n + j];
-        }
-    return true;
-}
-
-// b' M^-1 b = |L^-1 b|^2.
-double inverse_mass_along(const std::vector<double>& l, size_t n, const double* b)
-{
-    std::vector<double> y(n);
-    double out = 0;
-    for (size_t i = 0; i < n; ++i) {
-        y[i] = b[i];
-        for (size_t k = 0; k < i; ++k) y[i] -= l[i * n + k] * y[k];
-        y[i] /= l[i * n + i];
-        out += y[i] * y[i];
-    }
-    return out;
-}
-
 bool is_soft(const RobotModel& model)
 {
     const auto shape_is = [](const Shape& shape) { return shape.softness.stated; };
@@ -73,13 +47,6 @@ bool is_soft(const RobotModel& model)
         if (std::any_of(link.shapes.begin(), link.shapes.end(), shape_is)) return true;
     return std::any_of(model.joints.begin(), model.joints.end(),
                        [](const Joint& joint) { return joint.stop_softness.stated; });
-}
-
-int velocity_of(const RobotModel& model, int joint)
-{
-    int before = 0;
-    for (int i = 0; i < joint; ++i) before += velocities_of(model.joints[size_t(i)]);
-    return before;
 }
 
 }  // namespace
@@ -100,9 +67,9 @@ Springs::Springs(const RobotModel& model)
 {
     if (model.has_errors() || !is_soft(model)) return;
     const std::vector<double> positions = reference_positions(model);
-    const size_t n = size_t(number_of_velocities(model));
-    std::vector<double> l = mass_matrix(model, positions);
-    if (n == 0 || !factor(l, n)) return;
+    const MassFactor masses(model);
+    const size_t n = masses.size();
+    if (!masses.is_good()) return;
     carried_.resize(model.links.size());
     for (size_t i = model.links.size(); i-- > 1;) {
         carried_[i] += model.links[i].mass;
@@ -112,13 +79,13 @@ Springs::Springs(const RobotModel& model)
     for (size_t i = 0; i < model.links.size(); ++i) {
         const std::vector<double> j = jacobian(model, positions, int(i), model.links[i].centre);
         double sum = 0;
-        for (size_t row = 0; row < 3; ++row) sum += inverse_mass_along(l, n, &j[row * n]);
+        for (size_t row = 0; row < 3; ++row) sum += masses.inverse_mass(&j[row * n]);
         of_links_.push_back(sum / 3);
     }
     std::vector<double> unit(n);
     for (size_t i = 0; i < n; ++i) {
         unit.assign(n, 0), unit[i] = 1;
-        of_velocities_.push_back(inverse_mass_along(l, n, unit.data()));
+        of_velocities_.push_back(masses.inverse_mass(unit.data()));
     }
 }
 

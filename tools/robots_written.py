@@ -45,25 +45,36 @@ def forces(model, data, q, v, u):
 
 
 def sizes(model):
-    return {"bodies": model.nbody, "positions": model.nq, "velocities": model.nv, "controls": model.nu}
+    return {"bodies": model.nbody, "positions": model.nq, "velocities": model.nv}
+
+
+def shared_controls(one, two):
+    """Of each control of two, its number in one: by name where some are missing."""
+    if one.nu == two.nu:
+        return np.arange(one.nu)
+    return np.array([one.actuator(two.actuator(i).name).id for i in range(two.nu)], dtype=int)
 
 
 def difference(one, two, random):
-    """What differs first, or an empty text."""
+    """What differs first, or an empty text. Controls that are missing are 0 in one."""
+    missing = "" if one.nu == two.nu else f"controls: {one.nu}, {two.nu}, else the same"
     for name, count in sizes(one).items():
         if count != sizes(two)[name]:
             return f"{name}: {count}, {sizes(two)[name]}"
+    known = shared_controls(one, two)
     a, b = mujoco.MjData(one), mujoco.MjData(two)
     for _ in range(POSES):
         q, v = positions(one, random), random.normal(size=one.nv)
         low, high = np.where(one.actuator_ctrllimited[:, None] != 0, one.actuator_ctrlrange, [-1.0, 1.0]).T
         u = random.uniform(low, np.maximum(low, high))
-        theirs, mine = forces(one, a, q, v, u), forces(two, b, q, v, u)
+        shared = np.zeros(one.nu)
+        shared[known] = u[known]
+        theirs, mine = forces(one, a, q, v, shared), forces(two, b, q, v, u[known])
         for name, values in theirs.items():
             error = np.abs(values - mine[name]).max(initial=0) / max(1e-3, np.abs(values).max(initial=0))
             if not error <= TOLERANCE:
                 return f"{name} by {error:.1e}"
-    return ""
+    return missing
 
 
 def compiled(path):

@@ -170,6 +170,24 @@ void Mjcf::set_total_mass()
     }
 }
 
+const MassFactor& Mjcf::masses()
+{
+    if (!masses_) masses_.emplace(model_);
+    return *masses_;
+}
+
+// springdamper: stiffness m / (T z)^2 and damping 2 m / T on the mass m that a joint feels at the reference position, for the
+// time constant T and the damping ratio z.
+void Mjcf::set_springs()
+{
+    for (const auto& [number, values] : springs_) {
+        if (!masses().is_good()) return;
+        Joint& joint = model_.joints[size_t(number)];
+        const double m = 1 / masses().inverse_mass(model_, number), rate = 1 / (values[0] * values[1]);
+        joint.stiffness = m * rate * rate, joint.damping = 2 * m / values[0];
+    }
+}
+
 // All sections of one name, wherever they stand.
 void Mjcf::read_sections(const std::vector<Element>& sections, const char* name,
                          void (Mjcf::*action)(const Element&))
@@ -205,6 +223,7 @@ void Mjcf::read()
     make_fluid_boxes(model_);
     number_coordinates(model_);
     if (model_.has_errors()) return;
+    set_springs();
     read_sections(sections, "contact", &Mjcf::read_contacts);
     read_sections(sections, "tendon", &Mjcf::read_tendons);
     read_sections(sections, "equality", &Mjcf::read_equalities);

@@ -7,8 +7,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "robots/inertia.h"
+#include "robots/mass_factor.h"
 #include "robots/read/mjcf_defaults.h"
 
 namespace epode::robots {
@@ -56,6 +58,8 @@ class Mjcf {
     void read_assets(const Element& section);
     std::string asset_file(const Element& element) const;
     void set_total_mass();
+    void set_springs();
+    const MassFactor& masses();
     void read_defaults(const Element& section) { defaults_.read(section, reading_); }
     void read_world(const Element& section) { read_bodies(section, {}); }
     void read_sections(const std::vector<Element>& sections, const char* name,
@@ -97,6 +101,9 @@ class Mjcf {
     void read_actuator(const Attributes& attributes);
     bool find_target(const Attributes& attributes, Actuator& actuator);
     void read_gains(const Attributes& attributes, Actuator& actuator);
+    void read_activation(const Attributes& attributes, Actuator& actuator);
+    double damping_of(const Actuator& actuator, double ratio);
+    void read_cylinder(const Attributes& attributes, Actuator& actuator);
     void read_equalities(const Element& section);
     void read_general_gains(const Attributes& attributes, Actuator& actuator);
     void read_closure(const Attributes& attributes, bool weld);
@@ -128,6 +135,8 @@ class Mjcf {
     std::map<std::string, std::unique_ptr<Document>> documents_;
     std::vector<std::string> including_;
     size_t includes_ = 0;
+    std::map<int, std::array<double, 2>> springs_;  // time constant and damping ratio, by joint
+    std::optional<MassFactor> masses_;
     bool touches_ = true;  // no contacts: geoms are looks
 };
 

@@ -59,18 +59,66 @@ void Mjcf::read_gains(const Attributes& a, Actuator& actuator)
     double kp = 1, kv = actuator.kind == "velocity" ? 1 : 0;
     if (actuator.kind == "general") {
         read_general_gains(a, actuator);
+    } else if (actuator.kind == "cylinder") {
+        read_cylinder(a, actuator);
     } else if (actuator.kind != "motor") {
         number(a, "kp", kp), number(a, "kv", kv);
         const bool is_servo = actuator.kind == "position";
         actuator.bias_position = is_servo ? kp : 0, actuator.bias_velocity = kv;
         actuator.gain = is_servo ? kp : kv;
-        if (is_servo && a.has("dampratio"))
-            reading_.note(Note::kIgnored, a.element(), "dampratio of actuator '" + actuator.name + "'");
+        double ratio = 0;
+        if (is_servo && number(a, "dampratio", ratio) && ratio > 0 && kp > 0)
+            actuator.bias_velocity = damping_of(actuator, ratio);
     }
+    read_activation(a, actuator);
+}
+
+// 2 z sqrt(kp m), with the mass m that the actuator feels through its gear at the reference position.
+double Mjcf::damping_of(const Actuator& actuator, double ratio)
+{
+    if (!masses().is_good()) return 0;
+    std::vector<double> moment(masses().size(), 0);
+    const std::vector<Coupling::Term> own{{actuator.joint, 1}};
+    for (const Coupling::Term& term :
+         actuator.joint >= 0 ? own : model_.tendons[size_t(actuator.tendon)].terms)
+        moment[size_t(velocity_of(model_, term.joint))] += actuator.gear * term.factor;
+    return 2 * ratio * std::sqrt(actuator.gain / masses().inverse_mass(moment.data()));
+}
+
+// What stands between control and force. The kinds that are written as others (general) need the words of these.
+void Mjcf::read_activation(const Attributes& a, Actuator& actuator)
+{
+    std::vector<double> values;
+    auto& out = actuator.activation;
     const std::string dynamics = a.text("dyntype");
-    if ((!dynamics.empty() && dynamics != "none") || a.has("timeconst"))
+    if (actuator.kind == "general" && !dynamics.empty() && dynamics != "none") {
+        out.push_back({"dyntype", dynamics});
+        if (a.has("actearly")) out.push_back({"actearly", a.text("actearly")});
+        if (a.has("actrange"))
+            out.push_back({"actlimited", is_limited(a, "actlimited", "actrange") ? "true" : "false"});
+        for (const char* name : {"dynprm", "actrange"})
+            if (list(a, name, 1, 10, values)) out.push_back({name, a.text(name)});
+    }
+    double time = 0;
+    if (actuator.kind == "position" && number(a, "timeconst", time) && time > 0)
+        out = {{"dyntype", "filterexact"}, {"dynprm", a.text("timeconst")}};
+    if (actuator.kind == "cylinder")
+        out = {{"dyntype", "filter"}, {"dynprm", a.has("timeconst") ? a.text("timeconst") : "1"}};
+    if (!out.empty())
         reading_.note(Note::kApproximated, a.element(),
                       "actuator '" + actuator.name + "' acts without its filter");
+}
+
+// A pneumatic one: the force is area times pressure, which the control approaches, plus a bias.
+void Mjcf::read_cylinder(const Attributes& a, Actuator& actuator)
+{
+    constexpr double kPi = 3.14159265358979323846;
+    std::vector<double> bias;
+    double diameter = 0;
+    number(a, "area", actuator.gain);
+    if (number(a, "diameter", diameter) && diameter > 0) actuator.gain = kPi / 4 * diameter * diameter;
+    if (list(a, "bias", 3, 3, bias))
+        actuator.bias = bias[0], actuator.bias_position = -bias[1], actuator.bias_velocity = -bias[2];
 }
 
 void Mjcf::read_general_gains(const Attributes& a, Actuator& actuator)
@@ -96,8 +144,8 @@ void Mjcf::read_actuator(const Attributes& a)
     actuator.name = a.element().text("name"), actuator.kind = a.element().name(),
     actuator.line = a.element().line();
     const std::string& kind = actuator.kind;
-    if (kind != "motor" && kind != "position" && kind != "velocity" && kind != "general")
-        return reading_.note(Note::kIgnored, a.element(), "an actuator <" + kind + ">");
+    static const std::set<std::string> known{"motor", "position", "velocity", "general", "cylinder"};
+    if (!known.count(kind)) return reading_.note(Note::kIgnored, a.element(), "an actuator <" + kind + ">");
     if (!find_target(a, actuator)) return;
     std::vector<double> values;
     if (list(a, "gear", 1, 6, values)) actuator.gear = values[0];
@@ -269,6 +317,11 @@ void Mjcf::read_tendons(const Element& section)
         std::vector<double> range;
         if (list(a, "range", 2, 2, range) && is_limited(a, "limited", "range"))
             tendon.low = range[0], tendon.high = range[1];
+        if (list(a, "springlength", 1, 2, range) && range[0] != -1) {
+            tendon.has_rest = true, tendon.rest = (range.front() + range.back()) / 2;
+            if (range.front() != range.back())
+                reading_.note(Note::kApproximated, element, "a tendon's range of rest is its middle");
+        }
         number(a, "stiffness", tendon.stiffness), number(a, "damping", tendon.damping);
         model_.tendons.push_back(tendon);
     }

@@ -213,6 +213,9 @@ void Mjcf::read_joint(const Attributes& a, const Scope& scope)
     joint.axis = rotate(scope.pose.q, (1 / length(axis)) * axis), joint.anchor = scope.pose * anchor;
     if (!read_range(a, joint)) return;
     read_passive(a, joint);
+    std::vector<double> spring;
+    if (list(a, "springdamper", 2, 2, spring) && spring[0] > 0 && spring[1] > 0)
+        springs_[int(model_.joints.size())] = {spring[0], spring[1]};
     read_softness(a, {"solreflimit", "solimplimit"}, joint.stop_softness);
     for (const char* soft : {"solreflimit", "solimplimit", "solreffriction", "margin"})
         if (a.has(soft)) reading_.note_once(Note::kApproximated, a.element(), std::string("joint ") + soft);

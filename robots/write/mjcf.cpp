@@ -349,6 +349,7 @@ void MjcfWriter::write_tendons()
         if (is_limited) set(its, "range", range_of(tendon.low, tendon.high));
         if (tendon.stiffness != 0) set(its, "stiffness", tendon.stiffness);
         if (tendon.damping != 0) set(its, "damping", tendon.damping);
+        if (tendon.has_rest) set(its, "springlength", range_of(tendon.rest, tendon.rest));
         for (const Coupling::Term& term : tendon.terms) {
             Node joint = its.append_child("joint");
             set(joint, "joint", joints_[size_t(term.joint)]), set(joint, "coef", term.factor);
@@ -359,7 +360,7 @@ void MjcfWriter::write_tendons()
 // What the short kinds do not say is a general one.
 std::string kind_of(const Actuator& a)
 {
-    const bool is_plain = a.bias == 0;
+    const bool is_plain = a.bias == 0 && a.activation.empty();
     if (a.kind == "position" && is_plain && a.gain == a.bias_position) return a.kind;
     if (a.kind == "velocity" && is_plain && a.gain == a.bias_velocity && a.bias_position == 0) return a.kind;
     const bool is_motor =
@@ -391,6 +392,7 @@ void MjcfWriter::write_actuators()
         if (clamps_control) set(its, "ctrlrange", range_of(actuator.low, actuator.high));
         if (clamps_force) set(its, "forcerange", range_of(actuator.force_low, actuator.force_high));
         write_gains(its, actuator, kind);
+        for (const auto& [name, text] : actuator.activation) set(its, name.c_str(), text);
     }
 }
 

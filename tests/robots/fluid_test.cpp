@@ -182,6 +182,22 @@ Moment random_moment(const RobotModel& model, std::mt19937& random)
     return out;
 }
 
+// What MuJoCo 4.0 has: qfrc_passive of this file.
+TEST(FluidModel, exerts_what_MuJoCo_computes)
+{
+    const RobotModel model = load_robot_text("r.xml", in_medium(kWater, kChain));
+    const double root = std::sqrt(0.8 * 0.8 + 0.4 * 0.4 + 0.4 * 0.4 + 0.2 * 0.2);
+    const std::vector<double> q{0.1, -0.2, 0.3,  0.8 / root, 0.4 / root, -0.4 / root, 0.2 / root,
+                                0.5, 0.5,  -0.1, 0.7,        0.6,        -0.1,        0.9},
+        v{0.5, -1, 0.8, 2, -1, 0.3, 1.5, -0.7, 0.2, -2, 0.4, 1.1},
+        theirs{-55.2284668508,  272.250384321,  -27.41423949767, -81.52631656169,
+               8.696498666149,  31.43268659732, -17.31315235517, 75.35377678887,
+               -34.95132535028, 8.259395426336, -62.54045748826, -0.008987275930871};
+    const std::vector<double> mine = fluid_forces(model, q, v);
+    ASSERT_EQ(mine.size(), theirs.size());
+    for (size_t k = 0; k < mine.size(); ++k) EXPECT_NEAR(mine[k], theirs[k], 1e-9 * 272) << k;
+}
+
 // The link that is fixed to another keeps the box that the file gave it.
 TEST(FluidModel, merged_links_resist_as_they_do_apart)
 {

@@ -195,6 +195,7 @@ class Models : Comparison {
                      same(what + " high", a.high, b.high);
                  same(what + " stiffness", a.stiffness, b.stiffness),
                      same(what + " damping", a.damping, b.damping);
+                 same(what + " has a rest", a.has_rest, b.has_rest), same(what + " rest", a.rest, b.rest);
              });
         each("excluded", a_.excluded, b_.excluded,
              [&](const std::string& what, const auto& a, const auto& b) {
@@ -222,6 +223,10 @@ class Models : Comparison {
                  same(what + " low", a.low, b.low), same(what + " high", a.high, b.high);
                  same(what + " force", a.force_low, b.force_low),
                      same(what + " force", a.force_high, b.force_high);
+                 each(what + " activation", a.activation, b.activation,
+                      [&](const std::string& its, const auto& x, const auto& y) {
+                          same(its, x[0], y[0]), same(its, x[1], y[1]);
+                      });
              });
     }
 
