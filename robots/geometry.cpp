@@ -168,7 +168,7 @@ std::array<double, 3> principal_moments(const Matrix& inertia)
     return values;
 }
 
-// What rounding leaves beside the diagonal would turn the axes of equal moments anyhow.
+// What rounding leaves off the diagonal would turn the axes of equal moments anyhow.
 PrincipalAxes principal_axes(const Matrix& inertia, Quat guess)
 {
     constexpr double kRounding = 1e-13;

@@ -317,9 +317,10 @@ ODE_API int dRobotGetVelocities(dRobotID robot, dReal* velocities, int capacity)
 ODE_API int dRobotSetControl(dRobotID robot, int actuator, dReal control);
 ODE_API int dRobotSetTarget(dRobotID robot, int joint, dReal target, dReal stiffness, dReal damping);
 
-/** Adds what the medium of the file exerts to the forces on the robot's bodies: call it before every step, with its
-    size, s. Forces that would turn a link's motion round within such a step only stop it (0: all are as they are).
-    Returns how many links of the file they act on: 0 without a medium. Refused: a negative stepsize. [ours] */
+/** Adds what the medium of the file exerts to what acts on the robot's bodies until the next step: call it before
+    each, with its size, s. What would turn a link's motion round within such a step only stops it (0: it is
+    exerted as it is). Returns how many links of the file it acts on: 0 without a medium. Refused: a negative
+    stepsize. [ours] */
 ODE_API int dRobotAddFluidForces(dRobotID robot, dReal stepsize);
 
 #ifdef __cplusplus

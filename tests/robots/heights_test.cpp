@@ -130,7 +130,7 @@ TEST_F(Heights, of_a_slope_are_those_of_the_text)
     // From 0 at x = -2 to 3 at x = 2, whatever y; samples of any scale.
     load(with_field("size='2 1 3 0.1' " + elevation(2, 3, {10, 15, 20, 10, 15, 20})));
     for (double x : {-1.9, -0.4, 0.0, 0.7, 1.9}) EXPECT_NEAR(height_at(x, 0.3), 3 * (x + 2) / 4, 10 * kNear);
-    EXPECT_EQ(distance({2.1, 0, 50}, {0, 0, -1}), -1) << "beside it is nothing";
+    EXPECT_EQ(distance({2.1, 0, 50}, {0, 0, -1}), -1) << "outside of it is nothing";
 }
 
 TEST_F(Heights, of_texts_begin_at_the_largest_y)
