@@ -105,9 +105,9 @@ Inertia with_mass(Inertia inertia, double mass)
 Inertia sum_of(const Inertia& a, const Inertia& b)
 {
     if (!(a.mass + b.mass > 0)) return {0, {}, a.tensor + b.tensor};
-    if (a.mass == 0 || b.mass == 0) return a.mass == 0 ? b : a;
     Inertia out;
     out.mass = a.mass + b.mass;
+    out.axes = a.mass == 0 ? b.axes : b.mass == 0 ? a.axes : Quat{};
     out.centre = (1 / out.mass) * (a.mass * a.centre + b.mass * b.centre);
     out.tensor = a.tensor + b.tensor + point_inertia(a.mass, a.centre - out.centre) +
                  point_inertia(b.mass, b.centre - out.centre);

@@ -124,6 +124,9 @@ struct Coupling {
     std::vector<Term> terms;
     double offset = 0;
     std::vector<double> polynomial;  // of MJCF's joint equality beyond the linear term; empty: linear
+    // Of MJCF's equality of tendons: these, and the factor of the second.
+    std::array<int, 2> tendons{-1, -1};
+    double ratio = 0;
     int line = 0;
 };
 

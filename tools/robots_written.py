@@ -41,7 +41,8 @@ def forces(model, data, q, v, u):
     for i, unit in enumerate(np.eye(model.nv)):
         mujoco.mj_mulM(model, data, full[i], unit)
     return {"poses": np.hstack([data.xpos.ravel(), data.xmat.ravel()]), "mass matrix": full, "bias forces": data.qfrc_bias.copy(),
-            "passive forces": data.qfrc_passive.copy(), "forces of actuators": data.qfrc_actuator.copy()}
+            "passive forces": data.qfrc_passive.copy(), "forces of actuators": data.qfrc_actuator.copy(),
+            "errors of equalities": np.sort(np.abs(data.efc_pos[:data.ne]))}
 
 
 def sizes(model):
@@ -71,6 +72,8 @@ def difference(one, two, random):
         shared[known] = u[known]
         theirs, mine = forces(one, a, q, v, shared), forces(two, b, q, v, u[known])
         for name, values in theirs.items():
+            if len(values) != len(mine[name]):
+                return f"{name}: {len(values)}, {len(mine[name])}"
             error = np.abs(values - mine[name]).max(initial=0) / max(1e-3, np.abs(values).max(initial=0))
             if not error <= TOLERANCE:
                 return f"{name} by {error:.1e}"

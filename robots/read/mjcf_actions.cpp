@@ -274,6 +274,7 @@ void Mjcf::read_tendon_equality(const Attributes& a)
     };
     add(one, 1);
     if (two >= 0) add(two, -c[1]);
+    coupling.tendons = {one, two}, coupling.ratio = c[1];
     model_.couplings.push_back(coupling);
 }
 

@@ -54,6 +54,8 @@ class MjcfWriter {
     std::string site_at(int link, const Pose& pose);
     void write_couplings();
     void write_tendons();
+    void write_tendon(const Tendon& tendon, const std::string& name);
+    void write_tendon_equality(const Coupling& coupling);
     void write_actuators();
     void write_gains(Node actuator, const Actuator& from, const std::string& kind);
     void write_contacts_and_keys();
@@ -66,7 +68,7 @@ class MjcfWriter {
     Node root_;
     std::vector<std::string> links_, joints_, tendons_;
     std::vector<Node> bodies_;
-    Names sites_, geoms_;
+    Names sites_, geoms_, tendon_names_;
     std::vector<std::string> frames_;  // names of the model's, as written
     Losses losses_;
 };
@@ -79,22 +81,22 @@ Node MjcfWriter::section(const char* name)
 
 void MjcfWriter::name_all()
 {
-    Names links, joints, tendons;
+    Names links, joints;
     for (size_t i = 0; i < model_.links.size(); ++i)
         links_.push_back(links.unique(i ? model_.links[i].name : "world", "body", i));
     for (size_t i = 0; i < model_.joints.size(); ++i)
         joints_.push_back(joints.unique(model_.joints[i].name, "joint", i));
     for (size_t i = 0; i < model_.tendons.size(); ++i)
-        tendons_.push_back(tendons.unique(model_.tendons[i].name, "tendon", i));
+        tendons_.push_back(tendon_names_.unique(model_.tendons[i].name, "tendon", i));
 }
 
 void MjcfWriter::write_option(Node option)
 {
     set(option, "gravity", text_of(model_.gravity));
     const Medium& medium = model_.medium;
-    if (!medium.acts()) return;
-    set(option, "density", medium.density), set(option, "viscosity", medium.viscosity);
-    set(option, "wind", text_of(medium.wind));
+    if (medium.density != 0) set(option, "density", medium.density);
+    if (medium.viscosity != 0) set(option, "viscosity", medium.viscosity);
+    if (length(medium.wind) > 0) set(option, "wind", text_of(medium.wind));
 }
 
 // Of a mesh without a file.
@@ -315,12 +317,35 @@ void MjcfWriter::write_closures()
     }
 }
 
+// The tendons that it came from, or a tendon of its own.
+void MjcfWriter::write_tendon_equality(const Coupling& coupling)
+{
+    const auto [one, two] = coupling.tendons;
+    Node its = section("equality").append_child("tendon");
+    if (!coupling.name.empty()) set(its, "name", coupling.name);
+    if (one < 0) {
+        Tendon own;
+        own.terms = coupling.terms;
+        tendons_.push_back(tendon_names_.unique("", "coupling", tendons_.size()));
+        write_tendon(own, tendons_.back());
+    }
+    set(its, "tendon1", one < 0 ? tendons_.back() : tendons_[size_t(one)]);
+    if (two >= 0) set(its, "tendon2", tendons_[size_t(two)]);
+    std::vector<double> c{coupling.offset, coupling.ratio};
+    for (const Coupling::Term& term : coupling.terms)
+        c[0] -= term.factor * model_.joints[size_t(term.joint)].reference;
+    c.insert(c.end(), coupling.polynomial.begin(), coupling.polynomial.end());
+    c.resize(5, 0);
+    set(its, "polycoef", list_text(c));
+}
+
 void MjcfWriter::write_couplings()
 {
     for (const Coupling& coupling : model_.couplings) {
         const auto& terms = coupling.terms;
-        if (terms.empty() || terms.size() > 2 || terms[0].factor == 0) {
-            losses_.add("the coupling '" + coupling.name + "' of more than two joints");
+        if (terms.empty()) continue;
+        if (coupling.tendons[0] >= 0 || terms.size() > 2 || terms[0].factor == 0) {
+            write_tendon_equality(coupling);
             continue;
         }
         const double f1 = terms[0].factor, r1 = model_.joints[size_t(terms[0].joint)].reference;
@@ -339,22 +364,24 @@ void MjcfWriter::write_couplings()
     }
 }
 
+void MjcfWriter::write_tendon(const Tendon& tendon, const std::string& name)
+{
+    Node its = section("tendon").append_child("fixed");
+    const bool is_limited = std::isfinite(tendon.low) || std::isfinite(tendon.high);
+    set(its, "name", name), set(its, "limited", yes(is_limited));
+    if (is_limited) set(its, "range", range_of(tendon.low, tendon.high));
+    if (tendon.stiffness != 0) set(its, "stiffness", tendon.stiffness);
+    if (tendon.damping != 0) set(its, "damping", tendon.damping);
+    if (tendon.has_rest) set(its, "springlength", range_of(tendon.rest, tendon.rest));
+    for (const Coupling::Term& term : tendon.terms) {
+        Node joint = its.append_child("joint");
+        set(joint, "joint", joints_[size_t(term.joint)]), set(joint, "coef", term.factor);
+    }
+}
+
 void MjcfWriter::write_tendons()
 {
-    for (size_t i = 0; i < model_.tendons.size(); ++i) {
-        const Tendon& tendon = model_.tendons[i];
-        Node its = section("tendon").append_child("fixed");
-        const bool is_limited = std::isfinite(tendon.low) || std::isfinite(tendon.high);
-        set(its, "name", tendons_[i]), set(its, "limited", yes(is_limited));
-        if (is_limited) set(its, "range", range_of(tendon.low, tendon.high));
-        if (tendon.stiffness != 0) set(its, "stiffness", tendon.stiffness);
-        if (tendon.damping != 0) set(its, "damping", tendon.damping);
-        if (tendon.has_rest) set(its, "springlength", range_of(tendon.rest, tendon.rest));
-        for (const Coupling::Term& term : tendon.terms) {
-            Node joint = its.append_child("joint");
-            set(joint, "joint", joints_[size_t(term.joint)]), set(joint, "coef", term.factor);
-        }
-    }
+    for (size_t i = 0; i < model_.tendons.size(); ++i) write_tendon(model_.tendons[i], tendons_[i]);
 }
 
 // What the short kinds do not say is a general one.
@@ -431,8 +458,8 @@ WrittenRobot MjcfWriter::write()
     write_fields();
     write_bodies();
     write_closures();
-    write_couplings();
     write_tendons();
+    write_couplings();
     write_actuators();
     write_contacts_and_keys();
     note_losses();

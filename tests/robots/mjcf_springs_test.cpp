@@ -50,6 +50,29 @@ TEST(MjcfSprings, of_tendons_rest_where_the_file_says)
     EXPECT_EQ(again.tendons[0].rest, 0.4);
 }
 
+// Couplings of tendons name them again; one of three joints, from nowhere, gets a tendon of its own.
+TEST(MjcfSprings, equalities_of_tendons_are_written_again)
+{
+    const std::string text =
+        "</actuator><tendon><fixed name='u'><joint joint='s' coef='-2'/></fixed></tendon>"
+        "<equality><tendon tendon1='u' tendon2='t' polycoef='0.1 0.5 0 0 0'/><tendon tendon1='t' "
+        "polycoef='0.3'/></equality><actuator>";
+    RobotModel model = with_actuators(text);
+    ASSERT_FALSE(model.has_errors()) << model.report[0].text;
+    ASSERT_EQ(model.couplings.size(), 2u);
+    const RobotModel again = load_robot_text("robot.xml", write_mjcf(model, ".").text);
+    const std::vector<std::string> found = differences(model, again);
+    EXPECT_TRUE(found.empty()) << found[0];
+    model.couplings[0].tendons = {-1, -1};
+    const WrittenRobot written = write_mjcf(model, ".");
+    const RobotModel other = load_robot_text("robot.xml", written.text);
+    ASSERT_EQ(other.couplings.size(), 2u) << written.text;
+    ASSERT_EQ(other.couplings[0].terms.size(), 3u);
+    for (size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(other.couplings[0].terms[i].factor, model.couplings[0].terms[i].factor);
+    EXPECT_EQ(other.couplings[0].offset, model.couplings[0].offset);
+}
+
 // force = area pressure + b0 + b1 q + b2 q'.
 TEST(MjcfSprings, cylinders_are_general_actuators)
 {
