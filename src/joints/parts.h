@@ -27,6 +27,7 @@ inline Vec3 point_to_local(const Body* b, Vec3 p) { return b ? b->pose().to_loca
 inline Vec3 direction_to_world(const Body* b, Vec3 d) { return b ? b->rotation() * d : d; }
 inline Vec3 direction_to_local(const Body* b, Vec3 d) { return b ? transposed_times(b->rotation(), d) : d; }
 inline Quat orientation_of(const Body* b) { return b ? b->orientation() : Quat{}; }
+inline Mat3 rotation_of(const Body* b) { return b ? b->rotation() : Mat3::identity(); }
 
 // Place in `node` of the body that the user calls `user_index`.
 inline int node_of(const Joint& j, int user_index) { return j.reverse ? 1 - user_index : user_index; }

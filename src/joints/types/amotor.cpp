@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "joints/access.h"
+#include "joints/reading.h"
 #include "math/trig.h"
 
 namespace epode {
@@ -49,7 +50,12 @@ struct AMotor : LastingJoint {
     void motor_axes(Vec3 a[3]) const;
     void set_axis(int i, int r, Vec3 unit);
     void take_references();
-    void read_angles(const Vec3 (&a)[3], Real (&out)[3]) const;
+    // In Euler mode: axes, and what follows from them.
+    struct Euler {
+        Vec3 a[3];
+        Real angle[3];
+    };
+    const Euler& euler() const;
     int axes() const { return count; }
     LimitMotor* stops_of(int i) { return &motor[i]; }
     JointAxis axis_at(int i) const;
@@ -69,6 +75,15 @@ struct AMotor : LastingJoint {
         stream.vector(reference1), stream.vector(reference2);
     }
     void describe(DifWriter& out) const;
+
+  private:
+    // What the angles follow from; of the bodies as the client counts them.
+    struct Turn {
+        Mat3 R1, R2;
+        Vec3 axis0, axis2, reference1, reference2;
+    };
+    Euler read_euler() const;
+    Reading<Turn, Euler> euler_;
 };
 
 JOINT_DEFINE(AMotor);
@@ -111,34 +126,45 @@ void AMotor::take_references()
     reference2 = direction_to_local(user_body(1), given_axis(0));
 }
 
-// In Euler mode.
-void AMotor::read_angles(const Vec3 (&a)[3], Real (&out)[3]) const
+AMotor::Euler AMotor::read_euler() const
 {
+    Euler now;
+    const Vec3(&a)[3] = now.a;
+    plain_axes(now.a);
     const Vec3 b1 = direction_to_world(user_body(0), reference1),
                b2 = direction_to_world(user_body(1), reference2);
-    out[0] = -atan2(dot(a[2], cross(a[0], b1)), dot(a[2], b1));
-    out[1] = -atan2(dot(a[2], a[0]), dot(a[2], cross(a[0], a[1])));
-    out[2] = -atan2(dot(b2, a[1]), dot(b2, cross(a[1], a[2])));
+    now.angle[0] = -atan2(dot(a[2], cross(a[0], b1)), dot(a[2], b1));
+    now.angle[1] = -atan2(dot(a[2], a[0]), dot(a[2], cross(a[0], a[1])));
+    now.angle[2] = -atan2(dot(b2, a[1]), dot(b2, cross(a[1], a[2])));
+    return now;
+}
+
+const AMotor::Euler& AMotor::euler() const
+{
+    return euler_.of({rotation_of(user_body(0)), rotation_of(user_body(1)), axis_local[0], axis_local[2],
+                      reference1, reference2},
+                     [this] { return read_euler(); });
 }
 
 // The spin is the sum of rate_i a_i: an angle's Jacobian is a vector of the basis dual to the axes, which
 // grows without bound where the outer axes become parallel and is held there.
 JointAxis AMotor::axis_at(int i) const
 {
-    Vec3 a[3];
-    plain_axes(a);
-    if (mode != dAMotorEuler) return {angular_jacobian(*this, reverse ? -a[i] : a[i]), angle[i]};
+    if (mode != dAMotorEuler) {
+        const Vec3 axis = given_axis(i);
+        return {angular_jacobian(*this, reverse ? -axis : axis), angle[i]};
+    }
+    const Euler& now = euler();
+    const Vec3(&a)[3] = now.a;
     const Real volume = std::max(dot(a[0], cross(a[1], a[2])), kNearLock);
     const Vec3 dual = cross(a[(i + 1) % 3], a[(i + 2) % 3]) / volume;
-    Real angles[3];
-    read_angles(a, angles);
-    return {angular_jacobian(*this, reverse ? -dual : dual), angles[i], true};
+    return {angular_jacobian(*this, reverse ? -dual : dual), now.angle[i], true};
 }
 
 void AMotor::emit(RowWriter& out)
 {
     Vec3 a[3];
-    if (mode == dAMotorEuler) plain_axes(a), read_angles(a, angle);
+    if (mode == dAMotorEuler) std::copy_n(euler().angle, 3, angle);
     motor_axes(a);
     // Attached as (0, B), Euler angles run against the axes; stops act on the internal sense, as a hinge's
     // do. (ODE tests the angle as read and so drives the body away from the range.)

@@ -21,7 +21,13 @@ Quat Cross::orientation(const Joint& j, int i) const
 // Rotation of body i against the cross about axis i; the second angle has the opposite sense.
 Real Cross::body_angle(const Joint& j, int i) const
 {
-    return hinge_angle(orientation_of(j.node[i].body), orientation(j, i), zero[i], local[i]);
+    const Turn now{rotation_of(j.body1()),
+                   rotation_of(j.body2()),
+                   orientation_of(j.node[i].body),
+                   zero[i],
+                   local[0],
+                   local[1]};
+    return turn[i].of(now, [&] { return hinge_angle(now.own, orientation(j, i), zero[i], local[i]); });
 }
 
 void Cross::set_zero(const Joint& j, Real reading1, Real reading2)

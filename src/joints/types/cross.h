@@ -10,12 +10,20 @@
 
 #include "base/streams/structure_stream.h"
 #include "joints/describe.h"
+#include "joints/reading.h"
 
 namespace epode {
 
 struct Cross {
     Vec3 local[2];  // each in its own body
     Quat zero[2];
+    // What the rotation of body i against the cross follows from.
+    struct Turn {
+        Mat3 R1, R2;
+        Quat own, zero;
+        Vec3 arm1, arm2;
+    };
+    Reading<Turn, Real> turn[2] = {};
 
     Vec3 axis(const Joint& j, int i) const { return direction_to_world(j.node[i].body, local[i]); }
     Real angle(const Joint& j, int i) const { return i == 0 ? body_angle(j, 0) : -body_angle(j, 1); }

@@ -9,6 +9,7 @@
 // Attached as (0, B), a client reads the angle and its rate negated, but stops and motor keep the sign of
 // node 0: visible behaviour of ODE.
 #include "joints/access.h"
+#include "joints/reading.h"
 #include "math/rotation.h"
 
 namespace epode {
@@ -25,12 +26,10 @@ struct Hinge : LastingJoint {
 
     Real sign() const { return reverse ? Real(-1) : Real(1); }
     Vec3 axis_world() const { return axis.world(*this, 0); }
-    // A step asks twice at one pose, for the stops and for the drive.
     Real angle() const
     {
-        const Reading now{orientation_of(body1()), orientation_of(body2()), zero, axis.local[0]};
-        if (!(now == read_)) read_ = now, angle_ = hinge_angle(now.q1, now.q2, now.zero, now.axis);
-        return angle_;
+        const Turn now{orientation_of(body1()), orientation_of(body2()), zero, axis.local[0]};
+        return angle_.of(now, [&] { return hinge_angle(now.q1, now.q2, now.zero, now.axis); });
     }
     Real rate() const { return dot(axis_world(), relative_angular_velocity(*this)); }
     void set_zero() { zero = relative_orientation(*this); }
@@ -70,17 +69,11 @@ struct Hinge : LastingJoint {
 
   private:
     // What an angle follows from.
-    struct Reading {
+    struct Turn {
         Quat q1, q2, zero;
         Vec3 axis;
-        bool operator==(const Reading& o) const
-        {
-            const auto same = [](Quat a, Quat b) { return a.w == b.w && a.vec() == b.vec(); };
-            return same(q1, o.q1) && same(q2, o.q2) && same(zero, o.zero) && axis == o.axis;
-        }
     };
-    mutable Reading read_{};
-    mutable Real angle_ = 0;  // as read there
+    Reading<Turn, Real> angle_;
 };
 
 JOINT_DEFINE(Hinge);

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "joints/reading.h"
+#include "ode/ext.h"
 #include "ode/objects.h"
 #include "rig.h"
 
@@ -399,6 +401,51 @@ TEST_F(Readings, user_motor_stores_axes_where_they_are_fixed)
     EXPECT_EQ(dJointGetAMotorNumAxes(j), 2);
     dJointSetAMotorAxis(j, 3, 0, 1, 0, 0);
     EXPECT_EQ(dJointGetAMotorAngle(j, -1), 0);
+}
+
+TEST_F(Readings, are_taken_once_from_the_same_numbers)
+{
+    int taken = 0;
+    Reading<Vec3, Real> length2_of;
+    const auto read = [&](Vec3 v) { return length2_of.of(v, [&] { return ++taken, length2(v); }); };
+    EXPECT_EQ(read({}), 0);
+    EXPECT_EQ(read({}), 0);
+    EXPECT_EQ(taken, 1);
+    EXPECT_EQ(read({3, 4, 0}), 25);
+    EXPECT_EQ(read({3, 4, 0}), 25);
+    EXPECT_EQ(taken, 2);
+    EXPECT_EQ(read({3, 4, Real(-0.0)}), 25);  // an angle may depend on the sign of a zero
+    EXPECT_EQ(taken, 3);
+}
+
+// What a joint remembers of readings must not show: the last one is that of a joint that was read just once.
+TEST_F(Readings, do_not_depend_on_those_before)
+{
+    const auto last = [&](dJointID j, bool between, Vec3& angles) {
+        Rig::place(a, {0, 0, 0}, turn({1, 2, 3}, Real(0.4))),
+            Rig::place(b, {2, 0, 0}, turn({3, -1, 1}, Real(0.3)));
+        const bool motor = dJointGetType(j) == dJointTypeAMotor;
+        const auto read = [&] {
+            for (int i = 0; i < dJointGetNumAxes(j); ++i) angles.set(i, dJointGetAxisPosition(j, i));
+        };
+        const auto change = [&](auto&& make) {
+            make();
+            if (between) read();
+        };
+        change([&] { Rig::join(j, a, b); });
+        change([&] { motor ? dJointSetAMotorMode(j, dAMotorEuler) : dJointSetUniversalAnchor(j, 1, 0, 0); });
+        change([&] { motor ? dJointSetAMotorAxis(j, 0, 1, 1, 0, 0) : dJointSetUniversalAxis1(j, 0, 1, 0); });
+        change([&] { motor ? dJointSetAMotorAxis(j, 2, 2, 0, 0, 1) : dJointSetUniversalAxis2(j, 0, 0, 1); });
+        change([&] { Rig::place(b, {2, 0, 0}, turn({0, 1, 1}, Real(0.9))); });
+        change([&] { Rig::place(a, {1, 0, 0}, turn({1, 0, 1}, Real(-0.5))); });
+        read();
+    };
+    for (const auto create : {dJointCreateUniversal, dJointCreateAMotor}) {
+        Vec3 once, often;
+        last(create(rig.id(), nullptr), false, once), last(create(rig.id(), nullptr), true, often);
+        EXPECT_GT(length(once), Real(0.3));
+        EXPECT_EQ(once, often);
+    }
 }
 
 TEST_F(Readings, wrong_types_stale_handles_and_bad_numbers_change_nothing)
