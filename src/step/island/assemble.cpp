@@ -23,16 +23,43 @@
 namespace epode {
 namespace {
 
-// A tensor of the body's frame in the world's; that of a sphere or cube is the same in all.
-Sym3 in_world(const Body& body, const Sym3& s)
+// That of a sphere or cube is the same in all frames.
+bool isotropic(const Sym3& s) { return s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0; }
+
+// A tensor of the body's frame in the world's.
+inline Sym3 in_world(const Body& body, const Sym3& s)
 {
-    const bool isotropic = s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0;
-    return isotropic ? s : rotate(body.rotation(), s);
+    return isotropic(s) ? s : rotate(body.rotation(), s);
 }
 
-void load_mass(const Body& body, SolverBody& out)
+// Of two tensors at once, a lane each, with the operations of rotate() (math/mat.h).
+void load_both_in_world(const Mat3& R, const Sym3& s, const Sym3& t, Sym3& s_out, Sym3& t_out)
 {
+    typedef Real Both __attribute__((vector_size(2 * sizeof(Real))));
+    struct Row {
+        Both x, y, z;
+    };
+    const Both xx{s.xx, t.xx}, yy{s.yy, t.yy}, zz{s.zz, t.zz}, xy{s.xy, t.xy}, xz{s.xz, t.xz}, yz{s.yz, t.yz};
+    const auto times = [&](Vec3 a) {
+        return Row{xx * a.x + xy * a.y + xz * a.z, xy * a.x + yy * a.y + yz * a.z,
+                   xz * a.x + yz * a.y + zz * a.z};
+    };
+    const auto dot = [](const Row& a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
+    const Row row0 = times(R.row0), row1 = times(R.row1), row2 = times(R.row2);
+    const Both out[6] = {dot(row0, R.row0), dot(row1, R.row1), dot(row2, R.row2),
+                         dot(row0, R.row1), dot(row0, R.row2), dot(row1, R.row2)};
+    s_out = {out[0][0], out[1][0], out[2][0], out[3][0], out[4][0], out[5][0]};
+    t_out = {out[0][1], out[1][1], out[2][1], out[3][1], out[4][1], out[5][1]};
+}
+
+void load_mass_and_inertias(const Body& body, SolverBody& out)
+{
+    out.inv_mass = body.inv_mass;
     out.mass = body.kinematic() ? 0 : body.mass.mass;
+    if (!isotropic(body.inertia) && !isotropic(body.inv_inertia))  // 0 of a kinematic body is
+        return load_both_in_world(body.rotation(), body.inv_inertia, body.inertia, out.inv_inertia,
+                                  out.inertia);
+    out.inv_inertia = in_world(body, body.inv_inertia);
     out.inertia = body.kinematic() ? Sym3{} : in_world(body, body.inertia);
 }
 
@@ -209,8 +236,7 @@ namespace {
 
 void load_body(const World& world, Real h, const Solver& solver, Body& body, SolverBody& out)
 {
-    load_inertia(body, out);
-    if (solver.needs_inertia) load_mass(body, out);
+    solver.needs_inertia ? load_mass_and_inertias(body, out) : load_inertia(body, out);
     if (!solver.substeps)
         return world.exact_rotation ? load_pushed_exactly(body, h, out) : load_pushed(body, h, out);
     load_velocity(body, out);
