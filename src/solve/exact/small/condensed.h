@@ -7,8 +7,9 @@
 //   w_B = S p_B - s,   S = A_BB - A_BF A_FF^-1 A_FB
 //
 // on which both phases of dWorldStep pivot (box_pivoting.h). Newton's steps on F and the rows of B that are
-// between their bounds then correct the answer, with the residual computed from velocities, as it will be
-// judged. Compiled for several machines, with the same bits.
+// between their bounds then correct the answer: in each phase for the compliance that the factors lack or have
+// more of, at the end with the residual computed from velocities, as it will be judged. Compiled for several
+// machines, with the same bits.
 #pragma once
 
 #include <span>
