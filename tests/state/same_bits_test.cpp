@@ -26,14 +26,14 @@ struct Golden {
 };
 
 constexpr Golden kGolden[2][8] = {
-    {{0x72c204cfefe1aa68, 0xc4133da75f59ee47},
-     {0x86ac01c7e6aa328d, 0x61cd3661b14f6049},
+    {{0xfea3abf950df9ed5, 0xe75ddd8250697130},
+     {0xb0103a222be55c37, 0xc9079ce733e2a354},
      {0x7924e432361e3357, 0x4e42e2d845ba4803},
-     {0xac3a47644ac7aa8e, 0x0e21a3b8fb69429c},
-     {0x72b608569b060889, 0xad1bf9024655185a},
-     {0x9209a64c2b19966e, 0x37d542e3eccd59b5},
+     {0xd4efc75a0445d3af, 0x3344d834d5b85f5f},
+     {0x328594337a4fa098, 0x0abed78f1874c461},
+     {0x4444db92d02e4cf5, 0x0ea1cad35ddd0503},
      {0xc813878c5d14de0d, 0x63e536918b9af4b5},
-     {0xeec9cb770970d197, 0xfbc4839dfad92e36}},
+     {0x91d4b2061352eacd, 0xd35bdb7ace9b8075}},
     {{0x3b1db39ff826132c, 0x71279c2b028ed75e},
      {0xcbf5bfdbafc4a2d1, 0xdd586b1b590ce0d3},
      {0xa8940c956becddfd, 0xc8b4ebecd06fc319},

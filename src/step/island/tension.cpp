@@ -11,6 +11,9 @@
 //   S = sum over the body's joints of h |P| |r| (1 - n n^T),  P = h F, n = P/|P|
 //   I' = I + max(0, 1 - I_max/s) S,  s = tr S / 2
 //
+// Links that are raised and joined also lose the share k/2 of what their spin differs from that of their raised
+// neighbours: what they toss to and fro would else reach the load with the raised inertia, many times over.
+//
 // Turns about the load's own line stay as they were, and so does every body whose swinging is resolved. The
 // load itself and the links' masses are untouched: the slow motion is the same.
 //
@@ -64,21 +67,22 @@ void add_swing(Sym3& s, Vec3 P, Real k)
 
 Real trace(const Sym3& s) { return s.xx + s.yy + s.zz; }
 
-bool raise(const Body& body, SolverBody& out, const Sym3& S)
+// Returns the share k of S that the body's inertia has been raised by, 0: none.
+Real raise(const Body& body, SolverBody& out, const Sym3& S)
 {
     const Real s = trace(S) / 2;
-    if (!(out.inv_mass > 0) || !(3 * s > trace(body.inertia)) || !usable(s)) return false;
+    if (!(out.inv_mass > 0) || !(3 * s > trace(body.inertia)) || !usable(s)) return 0;
     Sym3 I = rotate(body.rotation(), body.inertia);
     const Real largest = std::max(I.xx, std::max(I.yy, I.zz));
-    if (!(s > largest)) return false;
+    if (!(s > largest)) return 0;
     const Real k = 1 - largest / s;
     I.xx += k * S.xx, I.yy += k * S.yy, I.zz += k * S.zz;
     I.xy += k * S.xy, I.xz += k * S.xz, I.yz += k * S.yz;
     Mat3 inverse;
-    if (!invert(full(I), inverse)) return false;
+    if (!invert(full(I), inverse)) return 0;
     out.inertia = I;
     out.inv_inertia = symmetric_part(inverse);
-    return true;
+    return k;
 }
 
 // Sums S of the bodies, which are made when the first joint needs them.
@@ -108,6 +112,28 @@ class Swings {
     std::span<Sym3> S_;
 };
 
+// A body that is raised, and what is around it.
+struct Raised {
+    Real k;    // 0: it is not
+    Vec3 sum;  // of the spins of raised bodies joined to it
+    int count;
+};
+
+void calm(const IslandWork& work, std::span<SolverBody> bodies, std::span<Raised> raised)
+{
+    for (std::size_t i = 0; i < work.joints.size(); ++i) {
+        const RowBlock& block = work.system.blocks[i];
+        if (block.contact || block.body2 < 0) continue;
+        const auto a = std::size_t(block.body1), b = std::size_t(block.body2);
+        if (!(raised[a].k > 0) || !(raised[b].k > 0)) continue;
+        raised[a].sum += bodies[b].w, ++raised[a].count;
+        raised[b].sum += bodies[a].w, ++raised[b].count;
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (const Raised& r = raised[i]; r.count > 0)
+            bodies[i].w += Real(0.5) * r.k * (r.sum / Real(r.count) - bodies[i].w);
+}
+
 }  // namespace
 
 bool add_tension(const IslandWork& work, std::span<SolverBody> bodies, Real h, Arena& arena)
@@ -122,10 +148,16 @@ bool add_tension(const IslandWork& work, std::span<SolverBody> bodies, Real h, A
         swings.add(block.body1, load, load.r1);
         swings.add(block.body2, load, load.r2);
     }
-    bool raised = false;
-    for (std::size_t i = 0; i < swings.sums().size(); ++i)
-        raised |= raise(*work.island.bodies[i], bodies[i], swings.sums()[i]);
-    return raised;
+    if (swings.sums().empty()) return false;
+    const std::span<Raised> raised = arena.take_zeroed<Raised>(int(bodies.size()));
+    if (raised.empty()) return false;
+    bool any = false;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        raised[i].k = raise(*work.island.bodies[i], bodies[i], swings.sums()[i]);
+        any |= raised[i].k > 0;
+    }
+    if (any) calm(work, bodies, raised);
+    return any;
 }
 
 }  // namespace epode
