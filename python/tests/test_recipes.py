@@ -35,6 +35,11 @@ def test_ragdoll():
     assert np.isfinite(recording.bodies(-1)).all()
 
 
+def test_wrecking_ball():
+    gap, scattered = recipe("wrecking_ball").main()
+    assert gap < 0.003 and scattered > 6
+
+
 def test_pile():
     seen = recipe("pile").main()
     assert seen["begin"] > 100 and seen["begin"] > seen["end"] > 0
