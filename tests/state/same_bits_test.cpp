@@ -25,24 +25,22 @@ struct Golden {
     std::uint64_t saved, later;
 };
 
-constexpr Golden kGolden[2][8] = {
-    {{0xfea3abf950df9ed5, 0xe75ddd8250697130},
-     {0xb0103a222be55c37, 0xc9079ce733e2a354},
-     {0x7924e432361e3357, 0x4e42e2d845ba4803},
-     {0xd4efc75a0445d3af, 0x3344d834d5b85f5f},
-     {0x328594337a4fa098, 0x0abed78f1874c461},
-     {0x4444db92d02e4cf5, 0x0ea1cad35ddd0503},
-     {0xc813878c5d14de0d, 0x63e536918b9af4b5},
-     {0x91d4b2061352eacd, 0xd35bdb7ace9b8075}},
-    {{0x3b1db39ff826132c, 0x71279c2b028ed75e},
-     {0xcbf5bfdbafc4a2d1, 0xdd586b1b590ce0d3},
-     {0xa8940c956becddfd, 0xc8b4ebecd06fc319},
-     {0xba478197dd4664ac, 0x131f7e218a75ca8f},
-     {0xa9db6095a5248a30, 0xe83cb0e4c8591ece},
-     {0x6d4954765b58c47e, 0x2754ca455b1e7f4d},
-     {0x6d614bb4b762f82d, 0x6bfb8a68596f00ac},
-     {0x7b92948d84a13976, 0x6d840ec59d9da7d1}},
-};
+constexpr Golden kGolden[2][8] = {{{0xfea3abf950df9ed5, 0xe75ddd8250697130},
+                                   {0xb0103a222be55c37, 0xc9079ce733e2a354},
+                                   {0x7924e432361e3357, 0x4e42e2d845ba4803},
+                                   {0xd4efc75a0445d3af, 0x3344d834d5b85f5f},
+                                   {0x328594337a4fa098, 0x0abed78f1874c461},
+                                   {0x4444db92d02e4cf5, 0x0ea1cad35ddd0503},
+                                   {0xc813878c5d14de0d, 0x63e536918b9af4b5},
+                                   {0x91d4b2061352eacd, 0xd35bdb7ace9b8075}},
+                                  {{0x965b5371edae3f1d, 0xb528cc16005d2357},
+                                   {0xc4489b36114b0b13, 0x90921647eff09e1f},
+                                   {0xa8940c956becddfd, 0xc8b4ebecd06fc319},
+                                   {0x488e11506860c911, 0xc4cbe415d879b871},
+                                   {0x9d04ac7775c4870e, 0x728e63052d823f35},
+                                   {0x00f26b42465d364d, 0xeee240e2cd838fb2},
+                                   {0x6d614bb4b762f82d, 0x6bfb8a68596f00ac},
+                                   {0x512450bc341d859e, 0x577f5f4833c2a183}}};
 
 class SameBits : public testing::TestWithParam<int> {};
 
