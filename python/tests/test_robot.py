@@ -154,6 +154,24 @@ def test_sensors_read_closed_forms():
         robot.sensor("nobody")
 
 
+def test_a_medium_and_a_height_field():
+    model = epode.robot.from_text("""<mujoco><option density='1000'/>
+        <asset><hfield name='h' size='2 2 1 0.1' nrow='2' ncol='3' elevation='1 0 1 1 0 1'/></asset>
+        <worldbody><geom type='hfield' hfield='h' pos='0 0 -10'/>
+        <body name='stone'><freejoint/><geom type='box' size='0.3 0.2 0.1' mass='100'/></body></worldbody></mujoco>""")
+    drag = 2 * 1000 * 0.3 * 0.2
+    velocities = np.array([0, 0, -2.0, 0, 0, 0])
+    assert model.fluid_forces(model.reference, velocities) == pytest.approx([0, 0, 4 * drag, 0, 0, 0])
+    robot = model.build()
+    for _ in range(600):
+        assert robot.add_fluid_forces(0.005) == 1
+        robot.world.step(0.005)
+    assert robot.velocities[2] == pytest.approx(-np.sqrt(100 * 9.81 / drag), rel=1e-6)
+    assert robot.rays("stone", [[0, 0, -1]])[0] == pytest.approx(robot.positions[2] + 10, abs=1e-6)
+    with pytest.raises(ValueError, match="step size"):
+        robot.add_fluid_forces(-1)
+
+
 def test_history_takes_robots_back(arm):
     world = epode.World()
     world.history = 10
