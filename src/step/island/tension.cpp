@@ -29,8 +29,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/cholesky.h"
+
 namespace epode {
 namespace {
+
+// Times the largest moment: more would leave no digits to the turns about the load's line.
+constexpr Real kMostRaised = kSingle ? Real(1e3) : Real(1e10);
 
 // What a joint exerted, and its levers, squared.
 struct Load {
@@ -75,13 +80,14 @@ Real raise(const Body& body, SolverBody& out, const Sym3& S)
     Sym3 I = rotate(body.rotation(), body.inertia);
     const Real largest = std::max(I.xx, std::max(I.yy, I.zz));
     if (!(s > largest)) return 0;
-    const Real k = 1 - largest / s;
+    const Real k = std::min(1 - largest / s, kMostRaised * largest / s);
     I.xx += k * S.xx, I.yy += k * S.yy, I.zz += k * S.zz;
     I.xy += k * S.xy, I.xz += k * S.xz, I.yz += k * S.yz;
     Mat3 inverse;
     if (!invert(full(I), inverse)) return 0;
-    out.inertia = I;
-    out.inv_inertia = symmetric_part(inverse);
+    const Sym3 inv_inertia = symmetric_part(inverse);
+    if (!positive_definite(inv_inertia)) return 0;
+    out.inertia = I, out.inv_inertia = inv_inertia;
     return k;
 }
 
