@@ -91,6 +91,13 @@ Real raise(const Body& body, SolverBody& out, const Sym3& S)
     return k;
 }
 
+// Of a body, with the number of joints that load it: one at the end of an arm swings about its joint, with the
+// inertia m r^2 that its mass has there, and is no link.
+struct Swing {
+    Sym3 S;
+    int loads;
+};
+
 // Sums S of the bodies, which are made when the first joint needs them.
 class Swings {
   public:
@@ -99,10 +106,12 @@ class Swings {
     void add(int body, const Load& load, Real lever2)
     {
         if (body < 0 || !matters(*work_.island.bodies[std::size_t(body)], length2(load.P) * lever2)) return;
-        if (S_.empty()) S_ = arena_.take_zeroed<Sym3>(int(work_.system.bodies.size()));
-        if (!S_.empty()) add_swing(S_[std::size_t(body)], load.P, h_ * std::sqrt(lever2));
+        if (S_.empty()) S_ = arena_.take_zeroed<Swing>(int(work_.system.bodies.size()));
+        if (S_.empty()) return;
+        Swing& swing = S_[std::size_t(body)];
+        add_swing(swing.S, load.P, h_ * std::sqrt(lever2)), ++swing.loads;
     }
-    std::span<const Sym3> sums() const { return S_; }
+    std::span<const Swing> sums() const { return S_; }
 
   private:
     // A quarter of what would raise the inertia.
@@ -115,7 +124,7 @@ class Swings {
     const IslandWork& work_;
     Real h_;
     Arena& arena_;
-    std::span<Sym3> S_;
+    std::span<Swing> S_;
 };
 
 // A body that is raised, and what is around it.
@@ -159,7 +168,8 @@ bool add_tension(const IslandWork& work, std::span<SolverBody> bodies, Real h, A
     if (raised.empty()) return false;
     bool any = false;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        raised[i].k = raise(*work.island.bodies[i], bodies[i], swings.sums()[i]);
+        raised[i].k =
+            swings.sums()[i].loads > 1 ? raise(*work.island.bodies[i], bodies[i], swings.sums()[i].S) : 0;
         any |= raised[i].k > 0;
     }
     if (any) calm(work, bodies, raised);

@@ -111,7 +111,7 @@ constexpr std::uint64_t kGolden[kLongScenes][6] = {
      0x4fdabf563c16782eu},
     {0x1d5e3b6b6713960bu, 0xdbf189ea62895449u, 0xa6ad680ac5fe904fu, 0x4c3e723c633f42abu, 0x518032f9b1bfceabu,
      0x56e38b7f4a7fe437u},
-    {0x62794cc0744020fdu, 0x17bfab22c8437ebcu, 0x9f07883061bb3577u, 0xf8ece3f859fd7e1fu, 0x5196ca1bfa1f50dbu,
+    {0xc06c9a28e6f33cc6u, 0x70abc34dae2340f2u, 0x9f07883061bb3577u, 0xe39f0aeec91ece74u, 0x453616af5dd8ce4du,
      0x7aa19215e3afb68au},
     {0x3e65810f493564b5u, 0x55b52a8026e8ec75u, 0x2ce7a6fce980b0f9u, 0xd55734a3efb8c3eeu, 0x791cea09b6070269u,
      0x6fe3494399058388u}};
