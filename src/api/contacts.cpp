@@ -12,10 +12,6 @@
 
 using namespace epode;
 
-#define WORLD_OR(...)                     \
-    World* world = from_handle<World>(w); \
-    EPODE_USER(world __VA_OPT__(, ) __VA_ARGS__)
-
 namespace {
 
 const ContactWorld* world_contacts(const World& world)
@@ -29,7 +25,7 @@ extern "C" {
 
 void dWorldSetContactSpace(dWorldID w, dSpaceID s)
 {
-    WORLD_OR();
+    EPODE_WORLD_OR();
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step");
     EPODE_USER_SAY(!s || space_from(s), "argument not a space");
     StepState* state = step_state(*world);
@@ -42,14 +38,14 @@ void dWorldSetContactSpace(dWorldID w, dSpaceID s)
 
 dSpaceID dWorldGetContactSpace(dWorldID w)
 {
-    WORLD_OR(nullptr);
+    EPODE_WORLD_OR(nullptr);
     const ContactWorld* contacts = world_contacts(*world);
     return contacts && contacts->live_space() ? contacts->space : nullptr;
 }
 
 void dWorldSetContactFilter(dWorldID w, dContactFilter* filter, void* data)
 {
-    WORLD_OR();
+    EPODE_WORLD_OR();
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step");
     StepState* state = step_state(*world);
     EPODE_USER_SAY(state, "out of memory");
@@ -87,7 +83,7 @@ int dMaterialInit(dMaterial* material, unsigned struct_size)
 
 int dWorldGetContactEvents(dWorldID w, dContactEvent* events, int capacity)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     EPODE_USER(capacity >= 0 && (events || capacity == 0), 0);
     const ContactWorld* contacts = world_contacts(*world);
     return contacts ? contacts->events(events, capacity) : 0;
@@ -95,7 +91,7 @@ int dWorldGetContactEvents(dWorldID w, dContactEvent* events, int capacity)
 
 int dWorldGetContacts(dWorldID w, dWorldContact* out, int capacity)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     EPODE_USER(capacity >= 0 && (out || capacity == 0), 0);
     const ContactWorld* contacts = world_contacts(*world);
     return contacts ? contacts->contacts(out, capacity) : 0;

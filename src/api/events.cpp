@@ -22,10 +22,6 @@ namespace {
 constexpr int kMaxCapacity = 1 << 20;
 constexpr unsigned kAllKinds = (1u << (dEventJointBreak + 1)) - 1;
 
-#define WORLD_OR(...)                     \
-    World* world = from_handle<World>(w); \
-    EPODE_USER(world __VA_OPT__(, ) __VA_ARGS__)
-
 // What is wrong with the settings, in words; null: nothing.
 const char* fault_in(const dEventSettings& s)
 {
@@ -66,7 +62,7 @@ int dEventSettingsInit(dEventSettings* settings, unsigned struct_size)
 
 int dWorldSetEventSettings(dWorldID w, const dEventSettings* settings)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
     dEventSettings whole = kDefaultEventSettings;
     whole.kinds = 0;
@@ -83,7 +79,7 @@ int dWorldSetEventSettings(dWorldID w, const dEventSettings* settings)
 
 int dWorldGetEventSettings(dWorldID w, dEventSettings* settings)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     EPODE_SIZED(settings, 0);
     const EventList* const list = events_of(*world);
     const bool on = list && list->wants_any();
@@ -93,7 +89,7 @@ int dWorldGetEventSettings(dWorldID w, dEventSettings* settings)
 
 int dWorldGetEvents(dWorldID w, dEvent* events, int capacity)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     EPODE_USER(capacity >= 0 && (events || capacity == 0), 0);
     const EventList* const list = events_of(*world);
     if (!list) return 0;
@@ -105,7 +101,7 @@ int dWorldGetEvents(dWorldID w, dEvent* events, int capacity)
 
 int dWorldGetLostEvents(dWorldID w)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     const EventList* const list = events_of(*world);
     return list ? list->lost() : 0;
 }

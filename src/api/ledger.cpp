@@ -18,10 +18,6 @@ using namespace epode;
 
 namespace {
 
-#define WORLD_OR(...)                     \
-    World* world = from_handle<World>(w); \
-    EPODE_USER(world __VA_OPT__(, ) __VA_ARGS__)
-
 // The ledgers of the last step's islands; null: there are none.
 const Array<dEnergyLedger>* ledgers_of(const World& world)
 {
@@ -35,7 +31,7 @@ extern "C" {
 
 int dWorldSetEnergyLedgerMode(dWorldID w, int mode)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     EPODE_USER(mode == 0 || mode == 1, 0);
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
     StepState* const state = step_state(*world);
@@ -47,13 +43,13 @@ int dWorldSetEnergyLedgerMode(dWorldID w, int mode)
 
 int dWorldGetEnergyLedgerMode(dWorldID w)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     return world->step_state && world->step_state->ledger_wanted;
 }
 
 int dWorldGetEnergyLedger(dWorldID w, dEnergyLedger* ledger)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     EPODE_SIZED(ledger, 0);
     const Array<dEnergyLedger>* const islands = ledgers_of(*world);
     if (!islands) return 0;
@@ -63,7 +59,7 @@ int dWorldGetEnergyLedger(dWorldID w, dEnergyLedger* ledger)
 
 int dWorldGetIslandEnergyLedger(dWorldID w, int island, dEnergyLedger* ledger)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     EPODE_SIZED(ledger, 0);
     const Array<dEnergyLedger>* const islands = ledgers_of(*world);
     if (!islands) return 0;

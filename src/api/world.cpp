@@ -38,11 +38,6 @@ Real square(Real x) { return x * x; }
 
 }  // namespace
 
-// The world behind the handle, or the call is refused with the given result.
-#define WORLD_OR(...)                     \
-    World* world = from_handle<World>(w); \
-    EPODE_USER(world __VA_OPT__(, ) __VA_ARGS__)
-
 extern "C" {
 
 dWorldID dWorldCreate()
@@ -55,7 +50,7 @@ dWorldID dWorldCreate()
 
 void dWorldDestroy(dWorldID w)
 {
-    WORLD_OR();
+    EPODE_WORLD_OR();
     EPODE_USER_SAY(!world->stepping, "Invalid operation during a step");
     for (Body& b : world->bodies) release_geoms(b);
     Pool<World>::destroy(world);
@@ -63,26 +58,26 @@ void dWorldDestroy(dWorldID w)
 
 void dWorldSetData(dWorldID w, void* data)
 {
-    WORLD_OR();
+    EPODE_WORLD_OR();
     world->data = data;
 }
 
 void* dWorldGetData(dWorldID w)
 {
-    WORLD_OR(nullptr);
+    EPODE_WORLD_OR(nullptr);
     return world->data;
 }
 
 void dWorldSetGravity(dWorldID w, dReal x, dReal y, dReal z)
 {
-    WORLD_OR();
+    EPODE_WORLD_OR();
     EPODE_USER(usable(x) && usable(y) && usable(z));
     world->gravity = {x, y, z};
 }
 
 void dWorldGetGravity(dWorldID w, dVector3 gravity)
 {
-    WORLD_OR();
+    EPODE_WORLD_OR();
     EPODE_USER(gravity);
     store(gravity, world->gravity);
 }
@@ -91,13 +86,13 @@ void dWorldGetGravity(dWorldID w, dVector3 gravity)
 #define WORLD_NUMBER(Type, Name, member, condition) \
     void dWorldSet##Name(dWorldID w, Type value)    \
     {                                               \
-        WORLD_OR();                                 \
+        EPODE_WORLD_OR();                           \
         EPODE_USER(condition);                      \
         world->member = value;                      \
     }                                               \
     Type dWorldGet##Name(dWorldID w)                \
     {                                               \
-        WORLD_OR(0);                                \
+        EPODE_WORLD_OR(0);                          \
         return world->member;                       \
     }
 
@@ -107,7 +102,7 @@ WORLD_NUMBER(unsigned, StepIslandsProcessingMaxThreadCount, islands_max_threads,
 void dWorldSetStepThreadingImplementation(dWorldID w, const dThreadingFunctionsInfo* functions,
                                           dThreadingImplementationID impl)
 {
-    WORLD_OR();
+    EPODE_WORLD_OR();
     EPODE_USER(!functions == !impl);
     EPODE_USER_SAY(!functions || complete(*functions), "Bad threading functions info");
     EPODE_USER_SAY(!world->stepping, "Invalid operation during a step");
@@ -132,13 +127,13 @@ WORLD_NUMBER(int, AutoEnableDepthSF1, auto_enable_depth, true)
 #define WORLD_THRESHOLD(Name, member)             \
     void dWorldSet##Name(dWorldID w, dReal value) \
     {                                             \
-        WORLD_OR();                               \
+        EPODE_WORLD_OR();                         \
         EPODE_USER(usable_or_infinite(value));    \
         world->member = square(value);            \
     }                                             \
     dReal dWorldGet##Name(dWorldID w)             \
     {                                             \
-        WORLD_OR(0);                              \
+        EPODE_WORLD_OR(0);                        \
         return std::sqrt(world->member);          \
     }
 
@@ -149,32 +144,32 @@ WORLD_THRESHOLD(AngularDampingThreshold, damping.angular_threshold2)
 
 void dWorldSetAutoDisableAverageSamplesCount(dWorldID w, unsigned int count)
 {
-    WORLD_OR();
+    EPODE_WORLD_OR();
     EPODE_USER(count <= 1u << 20);
     world->sleep.samples = int(count);
 }
 
 int dWorldGetAutoDisableAverageSamplesCount(dWorldID w)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     return world->sleep.samples;
 }
 
 void dWorldSetAutoDisableFlag(dWorldID w, int on)
 {
-    WORLD_OR();
+    EPODE_WORLD_OR();
     world->auto_disable = on != 0;
 }
 
 int dWorldGetAutoDisableFlag(dWorldID w)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     return world->auto_disable;
 }
 
 void dWorldSetDamping(dWorldID w, dReal linear, dReal angular)
 {
-    WORLD_OR();
+    EPODE_WORLD_OR();
     EPODE_USER(usable(linear) && usable(angular));
     world->damping.linear_scale = linear;
     world->damping.angular_scale = angular;
@@ -182,7 +177,7 @@ void dWorldSetDamping(dWorldID w, dReal linear, dReal angular)
 
 void dWorldImpulseToForce(dWorldID w, dReal stepsize, dReal ix, dReal iy, dReal iz, dVector3 force)
 {
-    WORLD_OR();
+    EPODE_WORLD_OR();
     EPODE_USER(force && usable(stepsize) && stepsize != 0 && usable(ix) && usable(iy) && usable(iz));
     store(force, Vec3{ix, iy, iz} * (1 / stepsize));
 }
@@ -191,7 +186,7 @@ void dWorldImpulseToForce(dWorldID w, dReal stepsize, dReal ix, dReal iy, dReal 
 
 int dWorldStep(dWorldID w, dReal stepsize)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     EPODE_USER(usable(stepsize) && stepsize > 0, 0);
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
     EPODE_USER_SAY(step_world(*world, kDirect, stepsize, 0), kOutOfMemory, 0);
@@ -200,7 +195,7 @@ int dWorldStep(dWorldID w, dReal stepsize)
 
 int dWorldQuickStep(dWorldID w, dReal stepsize)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     EPODE_USER(usable(stepsize) && stepsize > 0, 0);
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
     EPODE_USER_SAY(step_world(*world, kQuick, stepsize, world->quick_iterations), kOutOfMemory, 0);
@@ -209,7 +204,7 @@ int dWorldQuickStep(dWorldID w, dReal stepsize)
 
 int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     EPODE_USER(usable(stepsize) && stepsize > 0 && maxiterations >= 1 && maxiterations <= kMaxSubsteps, 0);
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
     EPODE_USER_SAY(step_world(*world, kTgs, stepsize, maxiterations), kOutOfMemory, 0);
@@ -220,7 +215,7 @@ int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations)
 
 void dWorldSetExactRotation(dWorldID w, int mode)
 {
-    WORLD_OR();
+    EPODE_WORLD_OR();
     EPODE_USER(mode == 0 || mode == 1);
     EPODE_USER_SAY(!world->stepping, "Invalid operation during a step");
     world->exact_rotation = mode != 0;
@@ -229,13 +224,13 @@ void dWorldSetExactRotation(dWorldID w, int mode)
 
 int dWorldGetExactRotation(dWorldID w)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     return world->exact_rotation;
 }
 
 void dWorldSetFrictionCone(dWorldID w, int mode)
 {
-    WORLD_OR();
+    EPODE_WORLD_OR();
     EPODE_USER(mode == 0 || mode == 1);
     EPODE_USER_SAY(!world->stepping, "Invalid operation during a step");
     world->friction_cone = mode != 0;
@@ -243,13 +238,13 @@ void dWorldSetFrictionCone(dWorldID w, int mode)
 
 int dWorldGetFrictionCone(dWorldID w)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     return world->friction_cone;
 }
 
 void dWorldSetManifoldFriction(dWorldID w, int mode)
 {
-    WORLD_OR();
+    EPODE_WORLD_OR();
     EPODE_USER(mode == 0 || mode == 1);
     EPODE_USER_SAY(!world->stepping, "Invalid operation during a step");
     world->manifold_friction = mode != 0;
@@ -257,7 +252,7 @@ void dWorldSetManifoldFriction(dWorldID w, int mode)
 
 int dWorldGetManifoldFriction(dWorldID w)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     return world->manifold_friction;
 }
 
@@ -271,7 +266,7 @@ WORLD_NUMBER(int, HybridSubsteps, hybrid_substeps, value >= 1 && value <= kMaxSu
 
 void dWorldSetStepReportMode(dWorldID w, int mode)
 {
-    WORLD_OR();
+    EPODE_WORLD_OR();
     EPODE_USER(mode == 0 || mode == 1);
     if (mode && !world->report_wanted) world->report_made = false;
     world->report_wanted = mode != 0;
@@ -279,13 +274,13 @@ void dWorldSetStepReportMode(dWorldID w, int mode)
 
 int dWorldGetStepReportMode(dWorldID w)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     return world->report_wanted;
 }
 
 int dWorldGetStepReport(dWorldID w, dWorldStepReport* report)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     EPODE_SIZED(report, 0);
     if (!world->report_wanted || !world->report_made) return 0;
     copy_sized(world->report, report, report->struct_size);
@@ -294,7 +289,7 @@ int dWorldGetStepReport(dWorldID w, dWorldStepReport* report)
 
 int dWorldGetIslandStepReport(dWorldID w, int island, dIslandStepReport* report)
 {
-    WORLD_OR(0);
+    EPODE_WORLD_OR(0);
     EPODE_SIZED(report, 0);
     if (!world->report_wanted || !world->report_made) return 0;
     const auto islands = island_reports(*world);

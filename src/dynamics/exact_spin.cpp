@@ -77,8 +77,6 @@ bool solve_middle(const Sym3& I, const Sym3& inv_I, Vec3 l, Real h, bool scaled,
     return false;
 }
 
-bool isotropic(const Sym3& s) { return s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0; }
-
 bool cap_spin(const Body& body, Vec3& w)
 {
     if (!(body.max_angular_speed < kInf)) return false;

@@ -92,3 +92,8 @@ bool any_world_steps();  // of this process
 inline bool stepping(const Joint& joint) { return joint.world && joint.world->stepping; }
 
 }  // namespace epode
+
+// The world of a public function's argument w, or the call is refused with the given result. In namespace epode.
+#define EPODE_WORLD_OR(...)               \
+    World* world = from_handle<World>(w); \
+    EPODE_USER(world __VA_OPT__(, ) __VA_ARGS__)

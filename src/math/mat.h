@@ -68,6 +68,12 @@ struct Sym3 {
     Real xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
 };
 
+// The same in all frames, as that of a sphere or cube; a NaN answers no.
+constexpr bool isotropic(const Sym3& s)
+{
+    return s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0;
+}
+
 constexpr Vec3 operator*(const Sym3& s, Vec3 a)
 {
     return {s.xx * a.x + s.xy * a.y + s.xz * a.z, s.xy * a.x + s.yy * a.y + s.yz * a.z,

@@ -39,15 +39,13 @@ void silence_unused(const ContactSourceOf<L>& source, BatchPointOf<L>& point)
             for (L& effective_mass : point.effective_mass) effective_mass[lane] = 0;
 }
 
-bool is_even(const Sym3& s) { return s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0; }
-
 BatchForm form_of(const RowSystem& system, const JointManifold& m)
 {
     if (m.c[0] != 0 || m.c[1] != 0 || m.fixed[0] != 0 || m.fixed[1] != 0 || m.mu[0] != m.mu[1] ||
         m.C[0] != m.C[1])
         return BatchForm::kAny;
     for (const int body : {m.body1, m.body2})
-        if (body >= 0 && !is_even(system.bodies[std::size_t(body)].inv_inertia)) return BatchForm::kPlain;
+        if (body >= 0 && !isotropic(system.bodies[std::size_t(body)].inv_inertia)) return BatchForm::kPlain;
     return BatchForm::kEven;
 }
 

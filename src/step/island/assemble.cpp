@@ -23,9 +23,6 @@
 namespace epode {
 namespace {
 
-// That of a sphere or cube is the same in all frames.
-bool isotropic(const Sym3& s) { return s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0; }
-
 // A tensor of the body's frame in the world's.
 inline Sym3 in_world(const Body& body, const Sym3& s)
 {

@@ -32,9 +32,7 @@ inline Vec3 force_on(const World& world, const Body& body)
 
 inline bool tumbles(const Body& body)
 {
-    const Sym3& s = body.inertia;
-    const bool even = s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0;
-    return body.gyroscopic && !even && !(body.angular_velocity() == Vec3{});
+    return body.gyroscopic && !isotropic(body.inertia) && !(body.angular_velocity() == Vec3{});
 }
 
 // Must this unconstrained body's motion by substeps be replaced?

@@ -41,8 +41,6 @@ Quat quat_in(const Lanes* q, std::size_t lane)
     return {q[0].at[lane], q[1].at[lane], q[2].at[lane], q[3].at[lane]};
 }
 
-bool even(const Sym3& s) { return s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0; }
-
 bool is_raised(const Body& body, const SolverBody& solver)
 {
     SolverBody plain;
@@ -109,8 +107,8 @@ void SubstepModel::load_body(std::size_t i, const Body& body, const SolverBody& 
     const bool raised = tension_ && is_raised(body, solver);
     const Sym3 inv_inertia =
         raised ? rotate(transpose(body.rotation()), solver.inv_inertia) : body.inv_inertia;
-    const bool uneven = raised || !even(body.inv_inertia);
-    const bool gyroscopic = body.gyroscopic && !body.kinematic() && !even(body.inertia);
+    const bool uneven = raised || !isotropic(body.inv_inertia);
+    const bool gyroscopic = body.gyroscopic && !body.kinematic() && !isotropic(body.inertia);
     const bool limit = body.max_angular_speed < kInf;
     to.any_uneven |= uneven, to.any_gyroscopic |= gyroscopic, to.any_limit |= limit;
     if (body.finite_rotation) to.finite = static_cast<unsigned char>(to.finite | 1u << lane);

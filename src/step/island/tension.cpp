@@ -9,7 +9,7 @@
 // inertia may be raised to where it can:
 //
 //   S = sum over the body's joints of h |P| |r| (1 - n n^T),  P = h F, n = P/|P|
-//   I' = I + max(0, 1 - I_max/s) S,  s = tr S / 2
+//   I' = I + max(0, 1 - I_max/s) S,  s = tr S / 2,   of links: bodies that two joints load or more
 //
 // Links that are raised and joined also lose the share k/2 of what their spin differs from that of their raised
 // neighbours: what they toss to and fro would else reach the load with the raised inertia, many times over.
