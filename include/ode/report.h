@@ -46,6 +46,7 @@ typedef struct dWorldStepReport {
     int projections_unconverged; /**< islands that they left above the tolerance */
     double projection_error;     /**< worst error that they left, in the unit of the tolerance */
     int stopped_bodies;          /**< bodies that continuous collision (dGeomSetContinuous) has stopped */
+    double friction_error;       /**< what friction is off Coulomb's, relative; dWorldStep with a cone */
 } dWorldStepReport;
 
 /** How an island was solved. */
@@ -81,6 +82,7 @@ typedef struct dIslandStepReport {
     int projection_unconverged; /**< 1: left above the tolerance */
     double projection_error;    /**< see dWorldStepReport */
     int stopped_bodies;         /**< see dWorldStepReport */
+    double friction_error;      /**< see dWorldStepReport */
 } dIslandStepReport;
 
 /** - dWorldSetStepReportMode: Switch the report of steps on (mode 1) or off (0, the default). A report

@@ -38,11 +38,12 @@ ODE_API int dWorldGetStepThreads(dWorldID world);
 ODE_API void dWorldSetStepWarmStarting(dWorldID world, dReal factor);
 ODE_API dReal dWorldGetStepWarmStarting(dWorldID world);
 
-/** - dWorldSetFrictionCone: Choose how dWorldQuickStep and dWorldStepFast1 bound the friction of contact
-      joints. mode 0 (the default): each direction by itself, as ODE does. mode 1: both together, |(f1/l1,
-      f2/l2)| <= 1 with the limits l1 and l2 of the two directions: with one mu Coulomb's cone.
-      World-managed contacts (ode/contacts.h) always have the cone; dWorldStep never has it. Other values
-      are refused, as is a call during a step.
+/** - dWorldSetFrictionCone: Choose how the friction of contact joints is bounded. mode 0 (the default): each
+      direction by itself, as ODE does. mode 1: both together, |(f1/l1, f2/l2)| <= 1 with the limits l1 and
+      l2 of the two directions: with one mu Coulomb's cone. World-managed contacts (ode/contacts.h) always
+      have the cone in dWorldQuickStep and dWorldStepFast1. In dWorldStep mode 1 holds for all contacts, and
+      limits follow from the present normal forces, not from those without friction: ladders stand. Other
+      values are refused, as is a call during a step.
     - dWorldGetFrictionCone: The mode that dWorldSetFrictionCone has set, 0 at first. [ours] */
 ODE_API void dWorldSetFrictionCone(dWorldID world, int mode);
 ODE_API int dWorldGetFrictionCone(dWorldID world);

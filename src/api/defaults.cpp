@@ -45,7 +45,7 @@ constexpr Parameter kParameters[] = {
     PARAMETER(int,      StepProjection,          0,           0,              2,             "Newton iterations that close joints; 8 under loads that open them"),
     PARAMETER(dReal,    StepProjectionTolerance, kTolerance,  kTolerance,     kTolerance,    "error that projection leaves"),
     PARAMETER(dReal,    StepWarmStarting,        1,           1,              1,             "share of the last forces that a step starts from"),
-    PARAMETER(int,      FrictionCone,            0,           1,              1,             "1: contact joints have the same friction in all directions"),
+    PARAMETER(int,      FrictionCone,            0,           1,              1,             "1: Coulomb's friction: the same in all directions; in dWorldStep by the forces that act"),
     PARAMETER(int,      ManifoldFriction,        0,           0,              0,             "1: one friction for all points of a manifold"),
     PARAMETER(int,      StepThreads,             1,           0,              1,             "0: one for each processor; robots have a world each (dWorldsStep)"),
     PARAMETER(int,      QuickStepNumIterations,  20,          20,             20,            "sweeps of dWorldQuickStep"),

@@ -72,6 +72,8 @@ struct RowBlock {
     // body1 and body2. Its rows are called wide.
     int first_term = 0, term_count = 0;
     int wrench = -1;  // in RowSystem::wrenches; -1: only the impulses of its rows are wanted
+    bool coulomb =
+        false;  // of a contact for exact solvers: friction is bounded by its present normal impulse, in an ellipse
 };
 
 // The part of a wide row's Jacobian that belongs to one body of the island.
@@ -90,6 +92,7 @@ struct SystemPart {
 struct RowSystem {
     Real h = 0;
     bool cone = false;  // friction of contacts with both directions is bounded by an ellipse, not a box
+    bool nearly_solved = false;      // p is the answer of a nearby problem: rows on bounds begin there
     bool manifold_friction = false;  // a manifold has one friction for all their points
     std::span<SolverBody> bodies;
     std::span<Row> rows;

@@ -38,6 +38,7 @@ struct SolveReport {
     int iterations = 0;
     int factorisations = 0;
     bool fallback = false;
+    Real friction_error = 0;  // of exact solvers with Coulomb's friction (solve/exact/coulomb.h), relative
 };
 
 struct Solver {

@@ -18,6 +18,7 @@
 
 #include "solve/common/cut_blocks.h"
 #include "solve/exact/active_set.h"
+#include "solve/exact/coulomb.h"
 #include "solve/exact/extended/primal_active_set.h"
 #include "solve/exact/interior_point.h"
 #include "solve/exact/small/box_phases.h"
@@ -65,7 +66,7 @@ class DirectSolve {
             if (!solve_phase(arena, report)) return false;
         }
         problem_.store(system, state_.p, scratch_);
-        report.factorisations = problem_.factorisations();
+        report.factorisations += problem_.factorisations();
         report.method = report.fallback ? dIslandMethodInteriorPoint : dIslandMethodActiveSet;
         report.residual = Real(residual_);
         return true;
@@ -175,12 +176,8 @@ bool solve_large(RowSystem& system, const SolverSettings& settings, bool pivot, 
     return solve_large(system, settings, false, arena, report);
 }
 
-bool solve_direct(RowSystem& whole, const SolverSettings& settings, Arena& arena, SolveReport& report)
+bool solve_boxes(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
 {
-    if (whole.rows.empty()) return true;
-    Arena::Scope scope(arena);
-    RowSystem system = whole;
-    if (!cut_blocks(system, arena)) return false;
     if (!system.terms.empty()) return solve_large(system, settings, false, arena, report);
     switch (solve_small(system, settings, arena, report)) {
         case SmallResult::kSolved:
@@ -191,6 +188,16 @@ bool solve_direct(RowSystem& whole, const SolverSettings& settings, Arena& arena
             break;
     }
     return solve_large(system, settings, can_pivot(system), arena, report);
+}
+
+bool solve_direct(RowSystem& whole, const SolverSettings& settings, Arena& arena, SolveReport& report)
+{
+    if (whole.rows.empty()) return true;
+    Arena::Scope scope(arena);
+    RowSystem system = whole;
+    if (!cut_blocks(system, arena)) return false;
+    return has_coulomb(system) ? solve_coulomb(solve_boxes, system, settings, arena, report)
+                               : solve_boxes(system, settings, arena, report);
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ void emit_rows(const StepInfo& info, std::span<Joint*> joints, bool begins, Isla
         block.body1 = b1->island_index, block.body2 = b2 ? b2->island_index : -1;
         block.contact = joint->type->number == dJointTypeContact;
         block.arms = out.arms(), block.form = out.form(), block.point = out.holds_point(),
-        block.followed = false;
+        block.followed = false, block.coulomb = false;
         block.first_term = terms, block.term_count = int(out.terms().size());
         block.wrench = -1;
         if (block.term_count > 0) place_terms(out.terms(), work.system, block);

@@ -74,6 +74,7 @@ void report_solution(const SolveReport& solved, dIslandStepReport& report)
     report.iterations = solved.iterations;
     report.factorisations = solved.factorisations;
     report.fallback = solved.fallback;
+    report.friction_error = double(solved.friction_error);
 }
 
 void report_projection(const ProjectionReport& done, dIslandStepReport& report)
@@ -115,6 +116,7 @@ dWorldStepReport sum_of(std::span<const dIslandStepReport> islands)
         total.projections_unconverged += one.projection_unconverged;
         total.projection_error = std::max(total.projection_error, one.projection_error);
         total.stopped_bodies += one.stopped_bodies;
+        total.friction_error = std::max(total.friction_error, one.friction_error);
         total.energy_before += one.energy_before;
         total.energy_after += one.energy_after;
     }

@@ -155,7 +155,7 @@ TEST_P(Cone, sticks_and_slides_at_the_angle_of_friction)
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sweeping, Cone, testing::Values(Stepper::kQuick, Stepper::kFast), case_name);
+INSTANTIATE_TEST_SUITE_P(Steppers, Cone, testing::ValuesIn(kSteppers), case_name);
 
 // What stands and slides must not depend on the compliance that a world has by default: without any, corners
 // whose contacts come and go with the last digit of their depth would fall and slide by a millimetre each
@@ -225,17 +225,6 @@ INSTANTIATE_TEST_SUITE_P(Ways, FirmContacts,
                                          FirmCase{Stepper::kFast, false}, FirmCase{Stepper::kExact, true},
                                          FirmCase{Stepper::kQuick, true}, FirmCase{Stepper::kFast, true}),
                          firm_name);
-
-TEST(ConeOfTheExactStepper, is_the_pyramid_that_it_was)
-{
-    std::uint64_t hash[2];
-    for (const int mode : {0, 1}) {
-        ConeSim sim(Stepper::kExact, mode);
-        brake(sim, 0.7, 3);
-        hash[mode] = hash_state(sim);
-    }
-    EXPECT_EQ(hash[0], hash[1]);
-}
 
 // What is reported is measured against the cone: swept for long, nothing is left.
 TEST(ConeReport, is_zero_after_many_sweeps)

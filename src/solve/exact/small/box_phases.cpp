@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMaxTrusted = 1e8;  // times the problem's velocity scale, of an impulse to start from
 
-void guess(const ExactProblem& problem, std::size_t i, double p, BoxState& state)
+void guess(const ExactProblem& problem, std::size_t i, double p, bool near, BoxState& state)
 {
     const double lo = state.lo[i], hi = state.hi[i], d = problem.row(int(i)).d;
     // The last step's impulse only saves time; one of a different magnitude would cost digits instead.
@@ -20,7 +20,7 @@ void guess(const ExactProblem& problem, std::size_t i, double p, BoxState& state
     if (!((hi - lo) * d > 1e-13 * problem.scale())) {
         state.tag[i] = BoxState::kFixed;
         state.p[i] = state.lo[i];
-    } else if (lo > -HUGE_VAL && lo < 0 && hi < HUGE_VAL && p != 0 && (p <= lo || p >= hi)) {
+    } else if ((near || (lo > -HUGE_VAL && lo < 0 && hi < HUGE_VAL && p != 0)) && (p <= lo || p >= hi)) {
         state.tag[i] = p <= lo ? BoxState::kLower : BoxState::kUpper;
     } else {
         state.tag[i] = BoxState::kFree;
@@ -38,7 +38,7 @@ bool bound_without_friction(const ExactProblem& problem, const RowSystem& system
         friction |= n.parent >= 0;
         state.lo[i] = n.parent >= 0 || empty ? 0 : double(n.lo);
         state.hi[i] = n.parent >= 0 || empty ? 0 : double(n.hi);
-        guess(problem, i, double(n.p), state);
+        guess(problem, i, double(n.p), system.nearly_solved, state);
     }
     return friction;
 }
@@ -52,7 +52,7 @@ void freeze_friction(const ExactProblem& problem, const RowSystem& system, BoxSt
         // An infinite coefficient without normal impulse means no friction, as in ODE.
         state.hi[i] = normal > 0 && problem.row(int(i)).d > 0 ? double(n.hi) * normal : 0;
         state.lo[i] = -state.hi[i];
-        guess(problem, i, double(n.p), state);
+        guess(problem, i, double(n.p), system.nearly_solved, state);
     }
 }
 
