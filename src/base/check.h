@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Four strengths of checking.
+// Strengths of checking.
 //
 //   EPODE_ASSERT(c)             an invariant of the library; Debug builds only; stops the program there.
+//   EPODE_ASSERT_NO_FAULT(text) the same of a text that names what is broken, or is null.
 //   EPODE_USER(c, result)       an argument of a public call, in Release too. If c is false the call is
 //                               refused: it returns `result` (nothing for void functions) and sends one
 //                               message to the debug handler in ODE's words ("Bad argument(s) in dFoo()").
@@ -38,11 +39,16 @@ inline constexpr const char* kOutOfMemory = "out of memory";
 #if defined(NDEBUG)
 inline constexpr bool kAsserts = false;
 #define EPODE_ASSERT(condition) ((void)sizeof(!(condition)))
+#define EPODE_ASSERT_NO_FAULT(fault) ((void)sizeof(fault))
 #else
 inline constexpr bool kAsserts = true;
 [[noreturn]] void assertion_failed(const char* expression, const char* file, int line);
 #define EPODE_ASSERT(condition) \
     ((condition) ? (void)0 : ::epode::assertion_failed(#condition, __FILE__, __LINE__))
+#define EPODE_ASSERT_NO_FAULT(fault)                                                                       \
+    do {                                                                                                   \
+        if (const char* epode_fault = (fault)) ::epode::assertion_failed(epode_fault, __FILE__, __LINE__); \
+    } while (false)
 #endif
 
 #define EPODE_USER_SAY(condition, text, ...)                 \

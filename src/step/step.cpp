@@ -481,7 +481,7 @@ bool step_with(World& world, const Solver* solver, Real h, int iterations, StepM
     memory->end();
     for (StepObserver* o : state->observers())
         if (o && o->end) o->end(*o, world, h, done);
-    EPODE_ASSERT(!was_whole || !fault_of(world));
+    EPODE_ASSERT_NO_FAULT(was_whole ? fault_of(world) : nullptr);
     return done;
 }
 
