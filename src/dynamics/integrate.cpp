@@ -46,6 +46,7 @@ Vec3 gyroscopic_torque(const Body& body, Vec3 w, Real h)
     if (!body.gyroscopic || body.kinematic()) return {};
     const Sym3& J = body.inertia;
     if (J.xx == J.yy && J.yy == J.zz && J.xy == 0 && J.xz == 0 && J.yz == 0) return {};  // L is parallel to w
+    if (!(h * h * length2(w) < kMaxGyroscopicTurn * kMaxGyroscopicTurn)) return {};
     const Mat3 R = body.rotation();
     const Vec3 L = J * transposed_times(R, w), k = h * L;
     // Rows of M, and u by Cramer's rule.

@@ -6,10 +6,15 @@
 #pragma once
 
 #include <initializer_list>
+#include <limits>
 
 #include "math/mat.h"
 
 namespace epode {
+
+// Rounding of a gyroscopic torque turns w by some eps h |w| of itself: beyond this angle in a step by more than it does,
+// so that there is none.
+inline constexpr Real kMaxGyroscopicTurn = Real(1e-2) / std::numeric_limits<Real>::epsilon();
 
 struct Quat {
     Real w = 1, x = 0, y = 0, z = 0;

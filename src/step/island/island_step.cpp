@@ -21,6 +21,9 @@
 namespace epode {
 namespace {
 
+// Are its velocities such as a program may set?
+bool keeps_numbers(const Body& body) { return usable(body.lvel, 3) && usable(body.avel, 3); }
+
 void contain(std::span<Body* const> bodies, std::span<Joint* const> joints)
 {
     for (Joint* joint : joints) {
@@ -29,10 +32,7 @@ void contain(std::span<Body* const> bodies, std::span<Joint* const> joints)
     }
     for (Body* body : bodies) {
         body->spin_excess = {};
-        if (!usable(body->lvel, 3) || !usable(body->avel, 3)) {
-            store(body->lvel, {});
-            store(body->avel, {});
-        }
+        if (!keeps_numbers(*body)) store(body->lvel, {}), store(body->avel, {});
     }
 }
 
@@ -221,8 +221,13 @@ class IslandStep {
         for (int i = from.bodies; i < to.bodies; ++i) {
             Body& body = *work_.island.bodies[std::size_t(i)];
             if (!flies_by_itself(world_, body, context_.manages_contacts)) continue;
+            const Vec3 v = body.velocity(), w = body.angular_velocity();
             context_.undo.restore_poses(slice(work_.island.bodies, i, i + 1));
             fly(world_, body, context_.h, std::max(1, iterations()));
+            if (!keeps_numbers(body)) {  // gyroscopic torque grows with the square of a spin
+                context_.undo.restore_poses(slice(work_.island.bodies, i, i + 1));
+                store(body.lvel, v), store(body.avel, w);
+            }
             load_velocity(body, work_.system.bodies[std::size_t(i)]);
         }
     }
