@@ -166,6 +166,7 @@ struct Actuator {
 struct Sensor {
     std::string name, kind, object;
     int line = 0;
+    std::string attribute, object_type;  // of MJCF: which one named the object; the type where it is said
 };
 
 // A named frame: a merged link, a site.

@@ -150,7 +150,7 @@ class Gazebo {
         if (link < 0) return ignore(sensor, reference);
         Frame frame{unused(name.empty() ? reference + "/" + type : name), link, pose_of(sensor)};
         const auto add = [&](const std::string& kind, const std::string& its) {
-            model_.sensors.push_back({its, kind, frame.name, sensor.line()});
+            model_.sensors.push_back({its, kind, frame.name, sensor.line(), "", ""});
         };
         const auto list = [&](const std::string& function) {
             add(type, name);

@@ -368,7 +368,8 @@ void Mjcf::read_sensors(const Element& section)
         Sensor sensor;
         sensor.name = element.text("name"), sensor.kind = element.name(), sensor.line = element.line();
         for (const char* object : {"joint", "site", "body", "objname", "actuator", "tendon", "geom"})
-            if (element.has(object)) sensor.object = element.text(object);
+            if (element.has(object)) sensor.object = element.text(object), sensor.attribute = object;
+        sensor.object_type = element.text("objtype");
         model_.sensors.push_back(sensor);
         if (values_of(sensor.kind) == 0)
             reading_.note_once(Note::kIgnored, element,

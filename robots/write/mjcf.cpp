@@ -9,6 +9,7 @@
 #include <map>
 
 #include "robots/files/files.h"
+#include "robots/sensor_kinds.h"
 #include "robots/write/text.h"
 #include "robots/write/write.h"
 
@@ -59,6 +60,13 @@ class MjcfWriter {
     void write_actuators();
     void write_gains(Node actuator, const Actuator& from, const std::string& kind);
     void write_contacts_and_keys();
+    // The attribute that names what a sensor is on, its type, and the name; no attribute: not to be said.
+    struct Sensed {
+        std::string attribute, type, object;
+    };
+    Sensed joint_object(const Sensor& sensor) const;
+    Sensed frame_object(const Sensor& sensor) const;
+    void write_sensors();
     void note_losses();
     Node section(const char* name);
 
@@ -437,9 +445,49 @@ void MjcfWriter::write_contacts_and_keys()
     }
 }
 
+// Kinds that are not computed as their file has named them, if it is MJCF.
+void MjcfWriter::write_sensors()
+{
+    for (const Sensor& sensor : model_.sensors) {
+        const bool of_frame = values_of_frame_sensor(sensor.kind) > 0;
+        const Sensed on = values_of(sensor.kind) == 0
+                              ? Sensed{sensor.attribute, sensor.object_type, sensor.object}
+                          : of_frame ? frame_object(sensor)
+                                     : joint_object(sensor);
+        if (on.attribute.empty()) {
+            losses_.add("sensors of kind <" + sensor.kind + "> on '" + sensor.object + "' are not written");
+            continue;
+        }
+        Node its = section("sensor").append_child(sensor.kind.c_str());
+        if (!sensor.name.empty()) set(its, "name", sensor.name);
+        if (!on.type.empty()) set(its, "objtype", on.type);
+        set(its, on.attribute.c_str(), on.object);
+    }
+}
+
+MjcfWriter::Sensed MjcfWriter::joint_object(const Sensor& sensor) const
+{
+    if (sensor.kind == "actuatorfrc") return {"actuator", "", sensor.object};
+    const int joint = model_.joint_named(sensor.object);
+    if (values_of_joint_sensor(sensor.kind) == 0 || joint < 0) return {};
+    return {"joint", "", joints_[size_t(joint)]};
+}
+
+// Poses and velocities of links are those of their frame (xbody), not of their centre of mass.
+MjcfWriter::Sensed MjcfWriter::frame_object(const Sensor& sensor) const
+{
+    const bool says_type = sensor.kind.rfind("frame", 0) == 0;
+    for (size_t i = 0; i < model_.frames.size(); ++i)
+        if (!sensor.object.empty() && model_.frames[i].name == sensor.object)
+            return {says_type ? "objname" : "site", says_type ? "site" : "", frames_[i]};
+    if (!says_type) return {};
+    for (size_t i = 0; i < model_.links.size(); ++i)
+        if (model_.links[i].name == sensor.object) return {"objname", "xbody", links_[i]};
+    return {};
+}
+
 void MjcfWriter::note_losses()
 {
-    if (!model_.sensors.empty()) losses_.add("sensors are not written");
     if (!model_.touches_itself) losses_.add("in MJCF links that overlap at the reference position touch");
     if (!model_.largest_friction)
         losses_.add("MJCF takes the larger friction of a pair, not the geometric mean");
@@ -462,6 +510,7 @@ WrittenRobot MjcfWriter::write()
     write_couplings();
     write_actuators();
     write_contacts_and_keys();
+    write_sensors();
     note_losses();
     return {text_of(document_), losses_.all};
 }

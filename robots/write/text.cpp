@@ -4,6 +4,8 @@
 // See text.h.
 #include "robots/write/text.h"
 
+#include <cmath>
+
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
@@ -72,6 +74,16 @@ std::string Names::unique(const std::string& wanted, const char* word, size_t nu
 void Losses::add(const std::string& sentence)
 {
     if (std::find(all.begin(), all.end(), sentence) == all.end()) all.push_back(sentence);
+}
+
+// Fixed axes x, y, z. The angle about z is that of the x axis; the others are of what is left after it is undone, so that
+// they fit together where the x axis is upright and its angle says little.
+Vec rpy_of(Quat q)
+{
+    const Matrix m = matrix_of(q);
+    const double yaw = std::atan2(m[1][0], m[0][0]);
+    const Matrix rest = matrix_of(conjugate(turn({0, 0, 1}, yaw)) * q);
+    return {std::atan2(-rest[1][2], rest[1][1]), std::atan2(-rest[2][0], rest[0][0]), yaw};
 }
 
 bool is_identity(const Pose& pose)

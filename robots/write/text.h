@@ -44,6 +44,8 @@ class Losses {
     std::vector<std::string> all;
 };
 
+// Turns about fixed axes x, y, z, as URDF has them.
+Vec rpy_of(Quat q);
 bool is_identity(const Pose& pose);
 
 }  // namespace epode::robots

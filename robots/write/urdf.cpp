@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <optional>
+
+#include "robots/write/gazebo.h"
 #include "robots/write/text.h"
 #include "robots/write/write.h"
 
@@ -19,16 +22,6 @@ namespace {
 using Node = pugi::xml_node;
 
 constexpr double kUnlimited = 1e9;  // what URDF must have a number for
-
-// Fixed axes x, y, z. The angle about z is that of the x axis; the others are of what is left after it is undone, so that
-// they fit together where the x axis is upright and its angle says little.
-Vec rpy_of(Quat q)
-{
-    const Matrix m = matrix_of(q);
-    const double yaw = std::atan2(m[1][0], m[0][0]);
-    const Matrix rest = matrix_of(conjugate(turn({0, 0, 1}, yaw)) * q);
-    return {std::atan2(-rest[1][2], rest[1][1]), std::atan2(-rest[2][0], rest[0][0]), yaw};
-}
 
 class UrdfWriter {
   public:
@@ -64,6 +57,7 @@ class UrdfWriter {
     std::vector<Node> joint_nodes_;
     bool is_rooted_ = false;  // in its base, without a link for the world
     Losses losses_;
+    std::optional<GazeboWriter> gazebo_;
 };
 
 void write_origin(Node node, const Pose& pose)
@@ -113,10 +107,7 @@ void UrdfWriter::write_link(size_t number)
     }
     for (const Shape& shape : link.visuals) write_shape(its, shape, "visual", shift);
     for (const Shape& shape : link.shapes) write_shape(its, shape, "collision", shift);
-    if (!link.is_weightless) return;
-    Node gazebo = root_.append_child("gazebo");
-    set(gazebo, "reference", links_[number]);
-    gazebo.append_child("turnGravityOff").text().set("true");
+    gazebo_->write_link(number);
 }
 
 void UrdfWriter::write_shape(Node link, const Shape& shape, const char* element, Vec shift)
@@ -133,9 +124,6 @@ void UrdfWriter::write_shape(Node link, const Shape& shape, const char* element,
     if (is_visual) {
         Node material = its.append_child("material");
         set(material, "name", ""), set(material.append_child("color"), "rgba", color_text(shape.color));
-    } else if (shape.friction != 1 || shape.rolling_friction != 0 || shape.softness.stated ||
-               shape.category != 1 || shape.collide != 1) {
-        losses_.add("frictions, softness and what touches what are not in URDF");
     }
 }
 
@@ -224,8 +212,8 @@ void UrdfWriter::write_scalar(const Joint& joint, Node node)
         Node dynamics = node.append_child("dynamics");
         set(dynamics, "damping", joint.damping), set(dynamics, "friction", joint.friction);
     }
-    if (joint.armature != 0 || joint.stiffness != 0)
-        losses_.add("armatures and springs of joints are not in URDF");
+    gazebo_->write_joint(joint, node.attribute("name").value());
+    if (joint.armature != 0) losses_.add("armatures of joints are not in URDF");
     if (joint.reference != 0) losses_.add("coordinates count from the pose of the file in URDF");
 }
 
@@ -247,7 +235,7 @@ void UrdfWriter::write_limits(const Joint& joint, Node node)
 void UrdfWriter::write_frames()
 {
     for (const Frame& frame : model_.frames) {
-        if (frame.name.empty()) continue;
+        if (frame.name.empty() || gazebo_->has_sensor(frame)) continue;
         const std::string name = weightless(frame.name);
         connect(name + "_fixed", "fixed", links_[size_t(frame.link)], name,
                 moved_back(frame.pose, shifts_[size_t(frame.link)]));
@@ -298,9 +286,8 @@ void UrdfWriter::note_losses()
     const RobotModel& m = model_;
     if (!m.closures.empty()) losses_.add("loops are not in URDF");
     if (!m.tendons.empty()) losses_.add("tendons are not in URDF");
-    if (!m.excluded.empty()) losses_.add("pairs that do not touch are not in URDF");
     if (!m.starts.empty()) losses_.add("start poses are not in URDF");
-    if (!m.sensors.empty()) losses_.add("sensors are not written");
+    gazebo_->note_losses();
     if (m.gravity.x != 0 || m.gravity.y != 0 || m.gravity.z != -9.81) losses_.add("gravity is not in URDF");
     if (m.touches_itself)
         losses_.add("read as URDF, links that overlap at the reference position do not touch");
@@ -324,9 +311,11 @@ WrittenRobot UrdfWriter::write()
         joints_.push_back(joints.unique(model_.joints[i].name, "joint", i));
     joint_nodes_.resize(model_.joints.size());
     is_rooted_ = base_is_root();
+    gazebo_.emplace(model_, links_, shifts_, root_, losses_);
     for (size_t i = is_rooted_ ? 1 : 0; i < model_.links.size(); ++i) write_link(i);
     for (size_t i = 1; i < model_.links.size(); ++i) write_joints(i);
     write_frames();
+    gazebo_->write_sensors();
     write_mimics();
     write_motors();
     note_losses();

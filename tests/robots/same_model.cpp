@@ -157,7 +157,12 @@ class Models : Comparison {
         same(what + " rest", a.spring_reference, b.spring_reference);
     }
 
-    // URDF has no order of them.
+    // URDF has no order of these.
+    static std::vector<std::array<int, 2>> sorted(std::vector<std::array<int, 2>> pairs)
+    {
+        std::sort(pairs.begin(), pairs.end());
+        return pairs;
+    }
     static std::vector<Coupling> by_follower(std::vector<Coupling> couplings)
     {
         std::stable_sort(couplings.begin(), couplings.end(), [](const Coupling& x, const Coupling& y) {
@@ -197,7 +202,12 @@ class Models : Comparison {
                      same(what + " damping", a.damping, b.damping);
                  same(what + " has a rest", a.has_rest, b.has_rest), same(what + " rest", a.rest, b.rest);
              });
-        each("excluded", a_.excluded, b_.excluded,
+        each("sensors", a_.sensors, b_.sensors,
+             [&](const std::string& what, const Sensor& a, const Sensor& b) {
+                 same(what, a.name, b.name), same(what + " kind", a.kind, b.kind);
+                 same(what + " object", a.object, b.object);
+             });
+        each("excluded", sorted(a_.excluded), sorted(b_.excluded),
              [&](const std::string& what, const auto& a, const auto& b) {
                  same(what, a[0], b[0]), same(what, a[1], b[1]);
              });

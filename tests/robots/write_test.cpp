@@ -51,6 +51,37 @@ TEST(Write, OwnFormatGivesTheSameModel)
         expect_round_trip(name, whole);
     }
 }
+// What <gazebo> elements say: robots/read/gazebo.cpp.
+TEST(Write, AUrdfKeepsWhatGazeboAddsToIt)
+{
+    const char* const text = R"(<robot name="rover">
+      <link name="base"><inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
+        <collision><geometry><box size="1 1 1"/></geometry></collision></link>
+      <link name="wheel"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
+        <collision><geometry><sphere radius="0.2"/></geometry></collision></link>
+      <link name="flap"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
+        <collision><geometry><box size="0.1 0.2 0.3"/></geometry></collision></link>
+      <joint name="axle" type="continuous"><parent link="base"/><child link="wheel"/><origin xyz="0.5 0 0.1" rpy="0 0.3 0"/></joint>
+      <joint name="hinge" type="revolute"><parent link="base"/><child link="flap"/><origin xyz="-1 0 2"/>
+        <axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="5" velocity="3"/></joint>
+      <gazebo reference="wheel"><mu1>0.35</mu1><mu2>0.35</mu2></gazebo>
+      <gazebo reference="flap"><turnGravityOff>true</turnGravityOff><selfCollide>false</selfCollide></gazebo>
+      <gazebo reference="hinge"><springStiffness>7</springStiffness><springReference>0.25</springReference></gazebo>
+      <gazebo reference="base">
+        <sensor name="imu" type="imu"><pose>0.1 0.2 0.3 0.4 0.5 0.6</pose></sensor>
+        <sensor name="eye" type="ray"><pose>0 0 1 0 0.2 0</pose></sensor>
+        <sensor name="camera" type="camera"/>
+      </gazebo>
+      <gazebo reference="flap"><sensor name="bump" type="contact"/></gazebo>
+      <gazebo reference="hinge"><sensor name="load" type="force_torque"/></gazebo>
+    </robot>)";
+    const RobotModel model = load_robot_text("robot.urdf", text, {});
+    ASSERT_EQ(model.sensors.size(), 7u);
+    ASSERT_EQ(model.excluded.size(), 2u);
+    const WrittenRobot written = write_urdf(model, kModels);
+    EXPECT_EQ(joined(differences(model, read_again(written, "urdf"))), "") << written.text;
+    for (const std::string& lost : written.lost) EXPECT_EQ(lost.find("sensor"), std::string::npos) << lost;
+}
 
 #ifdef EPODE_HAVE_SDF
 TEST(Write, AnSdfIsTheSameInMjcf) { expect_round_trip("geared.sdf", {}); }
@@ -113,7 +144,7 @@ TEST(Write, AWalkerMovesTheSameInUrdf)
     const RobotModel again = read_again(written, "urdf");
     const std::vector<double> q = some_positions(model);
     expect_same_centres(model, q, again, positions_for(model, q, again, true));
-    EXPECT_NE(joined(written.lost).find("armatures and springs"), std::string::npos) << joined(written.lost);
+    EXPECT_NE(joined(written.lost).find("armatures of joints"), std::string::npos) << joined(written.lost);
     EXPECT_NE(joined(written.lost).find("pairs that do not touch"), std::string::npos);
 }
 
