@@ -3,8 +3,8 @@
 //
 // dWorldStep with dWorldSetFrictionCone(world, 1): friction is bounded by the normal forces that act, where ODE
 // bounds it by those that would act without friction. Structures that friction carries tell the two apart:
-// a ladder against a wall, an arch of loose stones, a rope around a post. Contact joints and contacts that the
-// world manages; the closed forms are Coulomb's.
+// a ladder against a wall, an arch of loose stones, a rope around a post. Contact joints and
+// world-managed contacts; the closed forms are Coulomb's.
 #include <algorithm>
 #include <array>
 #include <utility>
