@@ -8,7 +8,7 @@
 namespace epode {
 namespace {
 
-constexpr Real kSameCompliance = Real(1e-6);  // of d: so small a difference is neglected
+constexpr Real kLeastCompliance = sizeof(Real) == 8 ? Real(1e-8) : Real(1e-6);  // of J M^-1 J^T
 
 }  // namespace
 
@@ -25,12 +25,21 @@ bool FrozenFriction::prepare(Arena& arena)
     if (arena.failed() || !anderson_.prepare(blocks, arena)) return false;
     std::copy(system_.rows.begin(), system_.rows.end(), frozen_.rows.begin());
     for (std::size_t i = 0; i < system_.blocks.size(); ++i)
-        if (const RowBlock& block = system_.blocks[i]; block.coulomb)
+        if (const RowBlock& block = system_.blocks[i]; block.coulomb) {
             weights_[i] = double(inverse_mass(block, std::size_t(block.first)));
+            for (int k = block.first; k < block.first + block.count; ++k) yield(block, std::size_t(k));
+        }
     frozen_.nearly_solved = true;
     save(begun_);
     measure_scale();
     return true;
+}
+
+// Without any compliance a load has many distributions over redundant contacts, and each solve may find another.
+void FrozenFriction::yield(const RowBlock& block, std::size_t row)
+{
+    Real& C = system_.numbers[row].C;
+    C = std::max(C, kLeastCompliance * inverse_mass(block, row));
 }
 
 Real FrozenFriction::judge()
@@ -97,6 +106,7 @@ FrozenFriction::Turn FrozenFriction::freeze_disc(const RowBlock& block, Real nor
     set_limit(k, L), set_limit(k + 1, L);
     frozen_.numbers[k].p = std::min(now.length, L), frozen_.numbers[k + 1].p = 0;
     if (L > 0) frozen_.numbers[k + 1].C += now.speed / L;
+    couple(k, turn, now);
     return turn;
 }
 
@@ -114,6 +124,16 @@ void FrozenFriction::turn_tangents(std::size_t first, Turn turn)
     RowNumbers* out = &frozen_.numbers[first];
     out[0].c = c * m->c + rs * n->c, out[1].c = rc * n->c - s * m->c;
     out[0].C = c * c * m->C + rs * rs * n->C, out[1].C = s * s * m->C + rc * rc * n->C;
+}
+
+// Where the compliances of the two differ, each turned direction yields to the other's impulse, too: that of the last answer.
+void FrozenFriction::couple(std::size_t first, Turn turn, const Sliding& last)
+{
+    const RowNumbers *m = &system_.numbers[first], *n = m + 1;
+    const Real mixed = turn.c * turn.s * (turn.ratio * turn.ratio * n->C - m->C);
+    if (mixed == 0) return;
+    frozen_.numbers[first].c -= mixed * (turn.c * last.p[1] - turn.s * last.p[0]);
+    frozen_.numbers[first + 1].c -= mixed * (turn.c * last.p[0] + turn.s * last.p[1]);
 }
 
 void FrozenFriction::turn_back(std::size_t first, Turn turn)
@@ -150,18 +170,14 @@ void FrozenFriction::restore()
     for (std::size_t i = 0; i < kept_impulses_.size(); ++i) system_.numbers[i].p = kept_impulses_[i];
 }
 
-// Two directions of sliding, whose limits are in a fixed ratio and whose compliances are the same in its units. All other
-// rows have limits of their own.
+// Two directions of sliding, whose limits are in a fixed ratio. All other rows have limits of their own.
 bool FrozenFriction::is_disc(const RowBlock& block) const
 {
     if (block.count < 3) return false;
     const auto k = std::size_t(block.first) + 1;
     const RowNumbers &a = system_.numbers[k], &b = system_.numbers[k + 1];
     const bool tangents = system_.rows[k].lin1 != Vec3{} && system_.rows[k + 1].lin1 != Vec3{};
-    if (!tangents || a.parent != b.parent || !(a.hi > 0 && a.hi < kInf && b.hi > 0 && b.hi < kInf))
-        return false;
-    const Real r = ratio(k);
-    return std::fabs(a.C - r * r * b.C) <= kSameCompliance * inverse_mass(block, k);
+    return tangents && a.parent == b.parent && a.hi > 0 && a.hi < kInf && b.hi > 0 && b.hi < kInf;
 }
 
 Real FrozenFriction::ratio(std::size_t first) const

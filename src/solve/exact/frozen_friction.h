@@ -43,10 +43,12 @@ class FrozenFriction {
         Real d = 0, p[2] = {}, q[2] = {}, length = 0, speed = 0;
     };
 
+    void yield(const RowBlock& block, std::size_t row);
     Real judge(const RowBlock& block) const;
     void freeze(const RowBlock& block, Real normal, Turn& turn);
     Turn freeze_disc(const RowBlock& block, Real normal);
     void turn_tangents(std::size_t first, Turn turn);
+    void couple(std::size_t first, Turn turn, const Sliding& last);
     void turn_back(std::size_t first, Turn turn);
     void set_limit(std::size_t row, Real limit);
 

@@ -172,7 +172,7 @@ TEST_P(Coulomb, holds_a_block_at_a_wall_in_every_direction_up_to_mu_f)
             sim.run(1, 1.0 / 100);
             const double slid = std::hypot(position(block).x, position(block).y);
             const double expected = share < 1 ? 0 : 0.5 * kG * (1 - 1 / share);
-            EXPECT_NEAR(slid, expected, 1e-4 + 0.02 * expected) << k;
+            EXPECT_NEAR(slid, expected, tol(1e-4, 5e-4) + 0.02 * expected) << k;  // floats yield by their CFM
             EXPECT_LT(sim.worst, tol(1e-7, 1e-4)) << k;
             EXPECT_LE(sim.residual, tol(1e-9, 1e-5)) << k;
         }
