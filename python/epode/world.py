@@ -160,6 +160,10 @@ class World(Object):
     hybrid_substeps = reads_and_sets(c.dWorldGetHybridSubsteps, c.dWorldSetHybridSubsteps, "Substeps of a hybrid step.")
     exact_substeps = reads_and_sets(c.dWorldGetExactSubsteps, c.dWorldSetExactSubsteps, "Substeps of an exact step.")
     exact_rotation = flag(c.dWorldGetExactRotation, c.dWorldSetExactRotation, "Rotate free bodies exactly.")
+    friction_cone = flag(c.dWorldGetFrictionCone, c.dWorldSetFrictionCone,
+                         "Whether friction is Coulomb's: in exact steps bounded by the normal forces that act, as in an arch.")
+    projection = reads_and_sets(c.dWorldGetStepProjection, c.dWorldSetStepProjection,
+                                "Newton iterations that close joints after an exact step; 0: none.")
     behaviour: Value[Behaviour, int] = Value(lambda self: Behaviour(c.dWorldGetBehaviour(self._handle)),
                                              lambda self, value: c.dWorldSetBehaviour(self._handle, value),
                                              doc="Whose results steps have.")

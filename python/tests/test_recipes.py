@@ -35,6 +35,13 @@ def test_ragdoll():
     assert np.isfinite(recording.bodies(-1)).all()
 
 
+def test_arch():
+    sunk, friction_error = recipe("arch").main()
+    assert sunk < 0.004 and friction_error < 1e-6
+    sunk_as_in_ode, _ = recipe("arch").main(cone=False)
+    assert sunk_as_in_ode > 3 * sunk
+
+
 def test_wrecking_ball():
     gap, scattered = recipe("wrecking_ball").main()
     assert gap < 0.003 and scattered > 6
