@@ -46,7 +46,6 @@ Vec3 gyroscopic_torque(const Body& body, Vec3 w, Real h)
     if (!body.gyroscopic || body.kinematic()) return {};
     const Sym3& J = body.inertia;
     if (J.xx == J.yy && J.yy == J.zz && J.xy == 0 && J.xz == 0 && J.yz == 0) return {};  // L is parallel to w
-    if (!(h * h * length2(w) < kMaxGyroscopicTurn * kMaxGyroscopicTurn)) return {};
     const Mat3 R = body.rotation();
     const Vec3 L = J * transposed_times(R, w), k = h * L;
     // Rows of M, and u by Cramer's rule.
@@ -54,7 +53,7 @@ Vec3 gyroscopic_torque(const Body& body, Vec3 w, Real h)
                z = {J.xz + k.y, J.yz - k.x, J.zz};
     const Vec3 yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
     const Real determinant = dot(x, yz);
-    if (!(determinant > 0) || !(determinant < kInf)) return {};
+    if (!(determinant > 0) || !(determinant < kMaxGyroscopicRatio * (J.xx * J.yy * J.zz))) return {};
     const Vec3 u = (1 / determinant) * (L.x * yz + L.y * zx + L.z * xy);
     return R * cross(L, u);
 }

@@ -12,9 +12,10 @@
 
 namespace epode {
 
-// Rounding of a gyroscopic torque turns w by some eps h |w| of itself: beyond this angle in a step by more than it does,
-// so that there is none.
-inline constexpr Real kMaxGyroscopicTurn = Real(1e-2) / std::numeric_limits<Real>::epsilon();
+// Rounding of a gyroscopic torque turns w by some eps h |w| of itself: there is none from an angle of 1e-4 / eps in a step on,
+// or where the determinant of its equations is this times that of the inertia's diagonal, which is about the angle's square.
+inline constexpr Real kMaxGyroscopicRatio =
+    Real(1e-8) / (std::numeric_limits<Real>::epsilon() * std::numeric_limits<Real>::epsilon());
 
 struct Quat {
     Real w = 1, x = 0, y = 0, z = 0;

@@ -91,7 +91,8 @@ struct SystemPart {
 
 struct RowSystem {
     Real h = 0;
-    bool cone = false;  // friction of contacts with both directions is bounded by an ellipse, not a box
+    bool cone = false;     // friction of contacts with both directions is bounded by an ellipse, not a box
+    bool coulomb = false;  // some blocks are
     bool nearly_solved = false;      // p is the answer of a nearby problem: rows on bounds begin there
     bool manifold_friction = false;  // a manifold has one friction for all their points
     std::span<SolverBody> bodies;

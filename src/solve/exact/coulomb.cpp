@@ -52,12 +52,6 @@ class Best {
 
 }  // namespace
 
-bool has_coulomb(const RowSystem& system)
-{
-    return std::any_of(system.blocks.begin(), system.blocks.end(),
-                       [](const RowBlock& block) { return block.coulomb; });
-}
-
 bool solve_coulomb(SolveBoxes solve, RowSystem& system, const SolverSettings& settings, Arena& arena,
                    SolveReport& report)
 {

@@ -25,8 +25,6 @@
 
 namespace epode {
 
-bool has_coulomb(const RowSystem& system);
-
 // Solves a system as in direct.cpp. False: out of memory.
 using SolveBoxes = bool (*)(RowSystem& system, const SolverSettings& settings, Arena& arena,
                             SolveReport& report);

@@ -196,8 +196,8 @@ bool solve_direct(RowSystem& whole, const SolverSettings& settings, Arena& arena
     Arena::Scope scope(arena);
     RowSystem system = whole;
     if (!cut_blocks(system, arena)) return false;
-    return has_coulomb(system) ? solve_coulomb(solve_boxes, system, settings, arena, report)
-                               : solve_boxes(system, settings, arena, report);
+    return system.coulomb ? solve_coulomb(solve_boxes, system, settings, arena, report)
+                          : solve_boxes(system, settings, arena, report);
 }
 
 }  // namespace

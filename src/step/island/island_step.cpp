@@ -193,6 +193,7 @@ class IslandStep {
         for (std::size_t i = 0; i < work_.system.blocks.size(); ++i) {
             RowBlock& block = work_.system.blocks[i];
             block.coulomb = block.contact && block.count > 1;
+            work_.system.coulomb |= block.coulomb;
         }
     }
     // What the impulses that joints remember are divided by to be forces.
