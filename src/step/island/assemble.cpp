@@ -129,6 +129,15 @@ void emit_rows(const StepInfo& info, std::span<Joint*> joints, bool begins, Isla
     work.system.terms = work.system.terms.first(std::size_t(terms));
 }
 
+// The exact solver has Coulomb's friction where the world asks for it; the others bound friction so anyway.
+void mark_coulomb(RowSystem& system)
+{
+    for (RowBlock& block : system.blocks) {
+        block.coulomb = block.contact && block.count > 1;
+        system.coulomb |= block.coulomb;
+    }
+}
+
 // Of joints whose force or torque somebody wants. False: out of memory.
 bool place_wrenches(Arena& arena, IslandWork& work)
 {
@@ -288,6 +297,7 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
     work.system.contact_manifolds = manifolds;
     work.system.blocks = work.system.blocks.first(std::size_t(blocks));
     work.system.rows = work.system.rows.first(std::size_t(rows));
+    if (&solver == &kDirect && world.friction_cone) mark_coulomb(work.system);
     work.system.numbers = arena.take<RowNumbers>(rows);
     if (arena.failed() || !mark_parts(arena, work)) return false;
     if (solver.substeps && !place_wrenches(arena, work)) return false;

@@ -103,6 +103,7 @@ void add(SolveReport& sum, const SolveReport& one)
     sum.iterations += one.iterations;
     sum.factorisations += one.factorisations;
     sum.fallback |= one.fallback;
+    sum.friction_error = std::max(sum.friction_error, one.friction_error);
 }
 
 }  // namespace

@@ -76,7 +76,6 @@ class IslandStep {
         if (!assemble(world_, h, context_.solver, tasks, arena_, work_, &context_.undo)) return false;
         work_.system.cone = world_.friction_cone && context_.solver.cones;
         work_.system.manifold_friction = world_.manifold_friction && context_.solver.cones;
-        if (exact_ && world_.friction_cone) mark_coulomb();
         if (has_exact_substeps()) exact_substeps_.map(work_.system);
         for (std::size_t i = 0; i < reports.size(); ++i) report_errors(work_, int(i), reports[i]);
         if (watches_strain() && !strain_.begin(world_, work_, arena_)) return false;
@@ -187,15 +186,6 @@ class IslandStep {
         return work_.island.settles() && n < kManyIterations ? n * factor : n;
     }
     bool projects() const { return exact_ && world_.projection_iterations > 0; }
-    // What the world manages has Coulomb's friction, and contact joints where it is asked for.
-    void mark_coulomb()
-    {
-        for (std::size_t i = 0; i < work_.system.blocks.size(); ++i) {
-            RowBlock& block = work_.system.blocks[i];
-            block.coulomb = block.contact && block.count > 1;
-            work_.system.coulomb |= block.coulomb;
-        }
-    }
     // What the impulses that joints remember are divided by to be forces.
     Real inner_step() const
     {
