@@ -19,7 +19,7 @@ has out '"format": "MJCF"'
 expect 1 robot check "$models/none.urdf"
 has out "none.urdf' is no file"
 expect 0 robot convert "$models/walker.xml" "$work/walker.urdf"
-has out "walker.urdf: armatures and springs of joints are not in URDF"
+has out "walker.urdf: armatures of joints are not in URDF"
 expect 0 robot check "$work/walker.urdf" --root "$models"
 has out "^URDF 'walker'"
 expect 0 run "$models/walker.xml" --steps 20 --json --quiet

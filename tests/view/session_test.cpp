@@ -381,7 +381,12 @@ TEST_F(ViewSession, islands_are_what_hangs_together)
 
 class ViewPlayback : public ViewSession {
   protected:
-    void SetUp() override { path_ = testing::TempDir() + "view_playback.epr"; }
+    // A file of its own: tests run side by side.
+    void SetUp() override
+    {
+        const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+        path_ = testing::TempDir() + "view_playback_" + test.name() + ".epr";
+    }
     void TearDown() override { std::remove(path_.c_str()); }
 
     // The scene's own run, written by the same recorder as \`epode record\`.
