@@ -140,7 +140,7 @@ void build_offered(scenes::Scene& scene)
     if (!model.starts.empty())
         for (size_t i = 0; i < std::min(model.starts[0].controls.size(), model.actuators.size()); ++i)
             robot->set_control(int(i), model.starts[0].controls[i]);
-    if (model.medium.acts()) scene.before_step([robot](double, double dt) { robot->add_fluid_forces(dt); });
+    scene.before_step([robot](double, double dt) { robot->add_forces(dt); });
     add_controls(scene, robot);
 }
 

@@ -6,6 +6,9 @@
 
 #include <ode/ode.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "robots/geometry.h"
 
 namespace epode::robots {
@@ -27,6 +30,17 @@ inline void set_pose(dBodyID body, const Pose& pose)
     const dQuaternion q = {dReal(pose.q.w), dReal(pose.q.x), dReal(pose.q.y), dReal(pose.q.z)};
     dBodySetPosition(body, dReal(pose.p.x), dReal(pose.p.y), dReal(pose.p.z));
     dBodySetQuaternion(body, q);
+}
+
+// What libode would refuse is as much as it takes: absurd springs and controls stay without a message.
+inline void add_force(dBodyID body, Vec force, Vec torque)
+{
+    static constexpr double kLargest = sizeof(dReal) == 8 ? 1e25 : 1e8;
+    const auto bounded = [](double value) {
+        return std::isnan(value) ? dReal(0) : dReal(std::clamp(value, -kLargest, kLargest));
+    };
+    dBodyAddForce(body, bounded(force.x), bounded(force.y), bounded(force.z));
+    dBodyAddTorque(body, bounded(torque.x), bounded(torque.y), bounded(torque.z));
 }
 
 }  // namespace epode::robots

@@ -71,6 +71,8 @@ Robot::Robot(std::shared_ptr<const Prepared> prepared, dWorldID world, dSpaceID 
     : prepared_(std::move(prepared)),
       placement_(placement),
       controls_(model().actuators.size(), 0),
+      activations_(model().actuators.size(), 0),
+      inputs_(model().actuators.size(), 0),
       servos_(model().joints.size())
 {
     reference_ = forward_kinematics(model(), reference_positions(model()));

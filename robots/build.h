@@ -15,6 +15,7 @@
 #include "robots/model.h"
 #include "robots/parts/decompose.h"
 #include "robots/softness.h"
+#include "robots/tendon.h"
 
 namespace epode::robots {
 
@@ -40,16 +41,20 @@ class Prepared {
     dHeightfieldDataID heights(int field) const { return heights_[size_t(field)]; }
     dTriMeshDataID triangles(int mesh) const { return triangles_[size_t(mesh)]; }
     const Springs& springs() const { return springs_; }
+    // Of tendons the lengths between which their springs rest.
+    const std::vector<std::array<double, 2>>& rests() const { return rests_; }
     const std::vector<std::array<int, 2>>& overlapping() const { return overlapping_; }
 
   private:
     void make_hulls(int mesh);
     void make_triangles(size_t number);
     void make_heights();
+    void make_rests();
     void find_overlapping();
 
     RobotModel model_;
     Springs springs_;
+    std::vector<std::array<double, 2>> rests_;
     std::vector<std::vector<Hull>> hulls_;
     std::vector<Fit> fits_;
     std::vector<dTriMeshDataID> triangles_;
@@ -107,6 +112,12 @@ class Robot {
     void set_control(int actuator, double value);
     double control(int actuator) const { return controls_[size_t(actuator)]; }
     void set_servo(int joint, const Servo& servo);
+    // What is between control and force; 0 of an actuator without a filter.
+    double activation(int actuator) const { return activations_[size_t(actuator)]; }
+    void set_activation(int actuator, double value);
+    // All that acts only from step to step: the medium, spatial tendons with their actuators (step_forces.cpp), and filters, which a
+    // step of that size moves on. Returns how many boxes, tendons and filters there are.
+    int add_forces(double stepsize);
     // What the medium exerts until the next step, of that size; 0: as if steps were infinitely small. Returns how many
     // boxes it acts on (fluid.h).
     int add_fluid_forces(double stepsize);
@@ -128,6 +139,22 @@ class Robot {
         dJointID id;
         double reference, stiffness, rest, damping, armature, friction;
     };
+    // step_forces.cpp
+    bool is_filtered(size_t actuator) const;
+    int move_filters(double stepsize);
+    int add_tendon_forces(double stepsize);
+    struct Pull;  // of a spatial tendon
+    std::vector<Pull> pulls(double stepsize) const;
+    double stiffness(int tendon) const;
+    double damping(int tendon) const;
+    double force(const Pull& pull, double stepsize) const;
+    void set_limits_of(std::vector<Pull>& pulls, double stepsize) const;
+    void act(const Path& path, double force) const;
+    bool is_awake(const Tendon& tendon) const;
+    void wake(const Tendon& tendon) const;
+    Vec velocity_at(int link, Vec point) const;
+    std::vector<Pose> link_poses() const;  // in the world
+    void set_drive_of(const Actuator& actuator);
     void set_drive(const Passive& passive, const Servo& servo, double limit, int joint, int tendon);
     void set_joint_drive(int joint);
     void set_tendon_drive(int tendon);
@@ -155,7 +182,9 @@ class Robot {
     std::vector<dGeomID> geoms_;
     std::vector<std::array<float, 3>> colors_;
     std::vector<Small> small_;
-    std::vector<double> controls_;
+    std::vector<double> controls_, activations_;
+    std::vector<double> inputs_;  // what acts: controls, or activations of filters
+    bool filters_act_ = false;    // since add_forces or set_activation was called
     std::vector<Servo> servos_;
 };
 

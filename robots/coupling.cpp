@@ -81,7 +81,7 @@ std::vector<std::string> Robot::not_built(const RobotModel& model)
         if (!can_couple(model, coupling.terms))
             out.push_back(line("the coupling '" + coupling.name + "'", coupling.line));
     for (const Tendon& tendon : model.tendons)
-        if (!can_couple(model, tendon.terms))
+        if (tendon.path.empty() && !can_couple(model, tendon.terms))
             out.push_back(line("the tendon '" + tendon.name + "'", tendon.line));
     for (const Joint& joint : model.joints) {
         const bool is_driven =

@@ -159,13 +159,6 @@ std::vector<double> Robot::velocities() const
     return out;
 }
 
-void Robot::set_control(int actuator, double value)
-{
-    const Actuator& its = model().actuators[size_t(actuator)];
-    controls_[size_t(actuator)] = std::clamp(value, its.low, its.high);
-    its.joint >= 0 ? set_joint_drive(its.joint) : set_tendon_drive(its.tendon);
-}
-
 void Robot::set_servo(int joint, const Servo& servo)
 {
     servos_[size_t(joint)] = servo;
@@ -183,14 +176,13 @@ void Robot::set_joint_drive(int number)
               servo, limit, number, -1);
 }
 
-// A tendon's spring rests at the reference position where nothing is stated.
 void Robot::set_tendon_drive(int number)
 {
     const Tendon& tendon = model().tendons[size_t(number)];
     double r = 0;
     for (const Coupling::Term& term : tendon.terms)
         r += term.factor * model().joints[size_t(term.joint)].reference;
-    set_drive({tendons_[size_t(number)], r, tendon.stiffness, tendon.has_rest ? tendon.rest : r,
+    set_drive({tendons_[size_t(number)], r, tendon.stiffness, prepared_->rests()[size_t(number)][0],
                tendon.damping, 0, 0},
               {}, kInfinity, -1, number);
 }
@@ -212,8 +204,7 @@ int Robot::add_fluid_forces(double stepsize)
                 fluid_force(box, model().medium, rotate(back, v), rotate(back, w), stepsize);
             const Vec force = rotate(at.q, felt.force);
             const Vec torque = rotate(at.q, felt.torque) + cross(arm, force);
-            dBodyAddForce(its, dReal(force.x), dReal(force.y), dReal(force.z));
-            dBodyAddTorque(its, dReal(torque.x), dReal(torque.y), dReal(torque.z));
+            add_force(its, force, torque);
             ++count;
         }
     }
@@ -231,7 +222,7 @@ void Robot::set_drive(const Passive& passive, const Servo& servo, double limit, 
         if (joint >= 0 ? a.joint != joint : a.tendon != tendon) continue;
         const double g = a.gear;
         k += g * g * a.bias_position, d += g * g * a.bias_velocity;
-        sum += g * (clamped_force(a, controls_[i]) - a.bias_position * g * r);
+        sum += g * (clamped_force(a, inputs_[i]) - a.bias_position * g * r);
         const bool is_servo = a.bias_position != 0 || a.bias_velocity != 0;
         if (is_servo) limit = std::min(limit, std::fabs(g) * std::max(-a.force_low, a.force_high));
     }

@@ -12,7 +12,7 @@ namespace epode::robots {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846, kLeastMass = 1e-15;
+constexpr double kLeastMass = 1e-15;
 
 double half_side(double mass, double own, double one, double two)
 {

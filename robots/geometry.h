@@ -10,6 +10,8 @@
 
 namespace epode::robots {
 
+constexpr double kPi = 3.14159265358979323846;
+
 struct Vec {
     double x = 0, y = 0, z = 0;
     double& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }

@@ -212,6 +212,45 @@ std::vector<double> inverse_dynamics(const RobotModel& model, const std::vector<
     return out;
 }
 
+struct PointForces::Tree {
+    const RobotModel& model;
+    Directions all;
+    std::vector<Twist> wrenches;  // on links: torque at the origin, force
+};
+
+PointForces::PointForces(const RobotModel& model, const std::vector<double>& positions)
+    : tree_(new Tree{model, directions(model, positions), std::vector<Twist>(model.links.size())})
+{}
+
+PointForces::~PointForces() = default;
+
+const std::vector<Pose>& PointForces::poses() const { return tree_->all.poses; }
+
+void PointForces::clear() { tree_->wrenches.assign(tree_->wrenches.size(), {}); }
+
+void PointForces::add(int link, Vec point, Vec force)
+{
+    Twist& its = tree_->wrenches[size_t(link)];
+    its = its + Twist{cross(point, force), force};
+}
+
+std::vector<double> PointForces::along_velocities() const
+{
+    const Directions& all = tree_->all;
+    std::vector<Twist> wrenches = tree_->wrenches;
+    std::vector<double> out(all.twists.size(), 0);
+    for (size_t i = wrenches.size(); i-- > 1;) {
+        const Link& link = tree_->model.links[i];
+        for (int joint : link.joints)
+            for (int k = 0; k < velocities_of(tree_->model.joints[size_t(joint)]); ++k) {
+                const size_t d = size_t(all.first[size_t(joint)] + k);
+                out[d] = dot(all.twists[d].w, wrenches[i].w) + dot(all.twists[d].v, wrenches[i].v);
+            }
+        wrenches[size_t(link.parent)] = wrenches[size_t(link.parent)] + wrenches[i];
+    }
+    return out;
+}
+
 // A column is what a unit acceleration takes, at rest and without gravity.
 std::vector<double> mass_matrix(const RobotModel& model, const std::vector<double>& positions)
 {

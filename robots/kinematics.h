@@ -7,6 +7,8 @@
 // the velocity of the link's origin in the world's axes, then the angular velocity in the link's.
 #pragma once
 
+#include <memory>
+
 #include "robots/model.h"
 
 namespace epode::robots {
@@ -32,6 +34,23 @@ std::vector<LinkVelocity> link_velocities(const RobotModel& model, const std::ve
 // given in the link's frame.
 std::vector<double> jacobian(const RobotModel& model, const std::vector<double>& positions, int link,
                              Vec point);
+
+// Forces on points of links, in the world's axes, as forces along the velocities' directions.
+class PointForces {
+  public:
+    PointForces(const RobotModel& model, const std::vector<double>& positions);
+    ~PointForces();
+    PointForces(const PointForces&) = delete;
+    PointForces& operator=(const PointForces&) = delete;
+    const std::vector<Pose>& poses() const;  // of all links
+    void clear();
+    void add(int link, Vec point, Vec force);
+    std::vector<double> along_velocities() const;
+
+  private:
+    struct Tree;
+    std::unique_ptr<Tree> tree_;
+};
 
 // The forces along the velocities' directions that give the accelerations, against gravity, with rotor inertias, without
 // springs, dampers and friction.

@@ -4,6 +4,8 @@
 // See load.h. After a reader: fixed links are merged, then masses are judged.
 #include "robots/load.h"
 
+#include <cmath>
+
 #include "robots/inertia.h"
 #include "robots/read/reading.h"
 #include "robots/weld.h"
@@ -13,6 +15,7 @@ namespace epode::robots {
 namespace {
 
 constexpr double kWater = 1000;  // kg/m^3
+constexpr double kMaxMass = 1e30;
 
 void add(RobotModel& model, Note note, int line, const std::string& text)
 {
@@ -59,6 +62,17 @@ void fix_weightless_base(RobotModel& model)
     remove_joint(model, base.joints[0]);
 }
 
+// What no world takes, and what sums of such numbers end in.
+void judge_size(RobotModel& model, const Link& link)
+{
+    bool is_usable = std::fabs(link.mass) <= kMaxMass && length(link.centre) <= kMaxMass;
+    for (const auto& row : link.inertia)
+        for (double value : row) is_usable = is_usable && std::fabs(value) <= kMaxMass;
+    if (!is_usable)
+        add(model, Note::kError, link.line,
+            "the mass, centre or inertia of link '" + link.name + "' is beyond 1e30");
+}
+
 bool give_mass(RobotModel& model, Link& link, const LoadOptions& options)
 {
     Inertia sum;
@@ -73,6 +87,7 @@ bool give_mass(RobotModel& model, Link& link, const LoadOptions& options)
         sum = with_mass(inertia_of(ball, model.meshes), options.missing_mass);
     }
     link.mass = sum.mass, link.centre = sum.centre, link.inertia = sum.tensor;
+    judge_size(model, link);
     return sum.mass > 0;
 }
 
@@ -117,6 +132,8 @@ void judge_inertia(RobotModel& model, Link& link, const LoadOptions& options)
 
 void judge_masses(RobotModel& model, const LoadOptions& options)
 {
+    for (size_t i = 1; i < model.links.size(); ++i) judge_size(model, model.links[i]);
+    if (model.has_errors()) return;
     const std::vector<bool> carries = carries_mass(model);
     for (size_t i = 1; i < model.links.size(); ++i) {
         Link& link = model.links[i];

@@ -32,22 +32,29 @@ int velocity_of(const RobotModel& model, int joint)
     return before;
 }
 
-MassFactor::MassFactor(const RobotModel& model)
-    : size_(size_t(number_of_velocities(model))), lower_(mass_matrix(model, reference_positions(model)))
+MassFactor::MassFactor(const RobotModel& model) : MassFactor(model, reference_positions(model)) {}
+
+MassFactor::MassFactor(const RobotModel& model, const std::vector<double>& positions)
+    : size_(size_t(number_of_velocities(model))), lower_(mass_matrix(model, positions))
 {
     is_good_ = size_ > 0 && factor(lower_, size_);
 }
 
-double MassFactor::inverse_mass(const double* b) const
+std::vector<double> MassFactor::halfway(const double* b) const
 {
     std::vector<double> y(size_);
-    double out = 0;
     for (size_t i = 0; i < size_; ++i) {
         y[i] = b[i];
         for (size_t k = 0; k < i; ++k) y[i] -= lower_[i * size_ + k] * y[k];
         y[i] /= lower_[i * size_ + i];
-        out += y[i] * y[i];
     }
+    return y;
+}
+
+double MassFactor::inverse_mass(const double* b) const
+{
+    double out = 0;
+    for (double y : halfway(b)) out += y * y;
     return out;
 }
 

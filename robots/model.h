@@ -139,15 +139,37 @@ struct Closure {
     int line = 0;
 };
 
-// A weighted sum of coordinates, for actuators and limits.
+// A part of a spatial tendon's path: a site that it passes, a surface that it may go round between two sites, or a pulley, at which
+// the path ends and begins again, what follows counting one divisor-th.
+struct PathPart {
+    enum class Kind { kSite, kSphere, kCylinder, kPulley };
+    Kind kind = Kind::kSite;
+    int link = 0;  // of site and surface, and where in it
+    Pose pose;
+    double radius = 0;
+    int side_link = -1;  // of the point that says how it goes round (wrap.h); -1: none
+    Vec side;
+    double divisor = 1;
+};
+
+// For actuators, springs and limits: a weighted sum of coordinates, or the length of a path.
 struct Tendon {
     std::string name;
     std::vector<Coupling::Term> terms;
+    std::vector<PathPart> path;  // of a spatial one, which has no terms
     double low = -kInfinity, high = kInfinity;
     double stiffness = 0, damping = 0;
-    bool has_rest = false;  // else its spring rests at the reference position
-    double rest = 0;
+    bool has_rest = false;           // else its spring rests at the reference position
+    double rest = 0, rest_high = 0;  // a spatial one's anywhere between the two, a sum's at the first
     int line = 0;
+};
+
+// What stands between control and force: act' = u (integrator), (u - act) / T (filters; the exact one solved over a step).
+struct Activation {
+    enum class Kind { kNone, kIntegrator, kFilter, kExactFilter };
+    Kind kind = Kind::kNone;
+    double time = 1, low = -kInfinity, high = kInfinity;  // T, s; the range of act
+    bool is_early = false;                                // the force is that of the act at a step's end
 };
 
 // force = gear clamp(gain control + bias0 - bias_position gear q - bias_velocity gear w), clamped to the range of
@@ -158,8 +180,8 @@ struct Actuator {
     double gear = 1, gain = 1, bias = 0, bias_position = 0, bias_velocity = 0;
     double low = -kInfinity, high = kInfinity;              // of the control
     double force_low = -kInfinity, force_high = kInfinity;  // of the force before the gear
-    // What MJCF says of an activation between control and force, which worlds do not have: attributes, to be written again.
-    std::vector<std::array<std::string, 2>> activation;
+    Activation filter;
+    std::vector<std::array<std::string, 2>> activation;  // as MJCF's attributes, to be written again
     int line = 0;
 };
 

@@ -41,6 +41,21 @@ void note_overlap(void* data, dGeomID one, dGeomID two)
 
 }  // namespace
 
+// Where no length is stated springs rest where those of the joints do.
+void Prepared::make_rests()
+{
+    if (model_.tendons.empty() || model_.has_errors()) return;
+    std::vector<double> positions = reference_positions(model_);
+    for (const Joint& joint : model_.joints)
+        if (joint.is_scalar()) positions[size_t(joint.position)] = joint.spring_reference;
+    const std::vector<double> lengths = tendon_lengths(model_, positions);
+    for (size_t i = 0; i < lengths.size(); ++i) {
+        const Tendon& its = model_.tendons[i];
+        rests_.push_back(its.has_rest ? std::array{its.rest, its.rest_high}
+                                      : std::array{lengths[i], lengths[i]});
+    }
+}
+
 Prepared::Prepared(RobotModel model)
     : model_(std::move(model)),
       springs_(model_),
@@ -50,6 +65,7 @@ Prepared::Prepared(RobotModel model)
       indices_(model_.meshes.size())
 {
     make_heights();
+    make_rests();
     std::set<int> known;
     const auto prepare = [&](const Shape& shape, bool touches) {
         if (shape.mesh < 0 || !known.insert(shape.mesh).second) return;

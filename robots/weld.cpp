@@ -64,6 +64,14 @@ void merge_fixed_links(RobotModel& model)
         closure.pose1 = a.pose * closure.pose1, closure.link1 = a.link;
         closure.pose2 = b.pose * closure.pose2, closure.link2 = b.link;
     }
+    for (Tendon& tendon : model.tendons)
+        for (PathPart& part : tendon.path) {
+            const Merged& its = place[size_t(part.link)];
+            part.pose = its.pose * part.pose, part.link = its.link;
+            if (part.side_link < 0) continue;
+            const Merged& sides = place[size_t(part.side_link)];
+            part.side = sides.pose * part.side, part.side_link = sides.link;
+        }
     for (auto& pair : model.excluded)
         for (int& link : pair) link = place[size_t(link)].link;
 }

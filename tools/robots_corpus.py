@@ -87,6 +87,14 @@ def fluid_forces(model, data):
     return data.qfrc_passive - still.qfrc_passive
 
 
+def tendon_jacobian(model, data):
+    """MuJoCo keeps it sparse."""
+    full = np.zeros((model.ntendon, model.nv))
+    for row, (begin, count) in enumerate(zip(model.ten_J_rowadr, model.ten_J_rownnz)):
+        full[row, model.ten_J_colind[begin:begin + count]] = data.ten_J[begin:begin + count]
+    return full
+
+
 def judge_mjcf(library, path, root, random):
     import mujoco
     model = by_judge(lambda: mujoco.MjModel.from_xml_path(str(path)))
@@ -118,6 +126,9 @@ def judge_mjcf(library, path, root, random):
         found.numbers("bias forces", mine.numbers("InverseDynamics", data.qpos, np.array(data.qvel), None), data.qfrc_bias - data.qfrc_gravcomp)
         found.numbers("Jacobian", mine.numbers("Jacobian", data.qpos, model.nbody - 1, None), np.vstack([linear, angular]).ravel())
         found.numbers("fluid forces", mine.numbers("FluidForces", data.qpos, np.array(data.qvel)), fluid_forces(model, data))
+        lengths, moments = mine.tendons(data.qpos)
+        found.numbers("tendon lengths", lengths, data.ten_length)
+        found.numbers("tendon moments", moments, tendon_jacobian(model, data))
         poses = mine.poses(data.qpos)
         for i, link in enumerate(links):
             found.pose(link.name.decode(), poses[i], data.xpos[i], data.xmat[i].reshape(3, 3))

@@ -76,6 +76,16 @@ class Model:
         its(*arguments, pointer(out.ctypes.data), len(out))
         return out
 
+    def tendons(self, q):
+        """Their lengths and the matrix of their moments."""
+        pointer, its = ctypes.c_void_p, self.library.dRobotModelGetTendons
+        q = np.ascontiguousarray(q, dtype=float)
+        count = its(pointer(self.handle), pointer(q.ctypes.data), None, None, 0)
+        lengths = np.zeros(count)
+        moments = np.zeros((count, self.library.dRobotModelGetNumVelocities(pointer(self.handle))))
+        its(pointer(self.handle), pointer(q.ctypes.data), pointer(lengths.ctypes.data), pointer(moments.ctypes.data), count)
+        return lengths, moments
+
     def close(self):
         self.library.dRobotModelDestroy(self.handle)
 

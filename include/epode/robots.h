@@ -211,6 +211,15 @@ ODE_API int dRobotModelGetInverseDynamics(dRobotModelID model, const dReal* posi
 ODE_API int dRobotModelGetFluidForces(dRobotModelID model, const dReal* positions, const dReal* velocities,
                                       dReal* forces, int capacity);
 
+/** - dRobotModelFindTendon: Returns the number of the tendon of that name (MJCF), or -1.
+    - dRobotModelGetTendons: Writes the lengths of up to capacity tendons to lengths: of a spatial one that of its way over
+      sites and round geoms (m), of a fixed one its sum of coordinates; and their moment arms, the derivatives of the
+      lengths by the velocities, to jacobian, row by row. Either array may be NULL. Returns how many tendons there
+      are. [ours] */
+ODE_API int dRobotModelFindTendon(dRobotModelID model, const char* name);
+ODE_API int dRobotModelGetTendons(dRobotModelID model, const dReal* positions, dReal* lengths,
+                                  dReal* jacobian, int capacity);
+
 /** Returns the number of the link of that name, or of the link that the merged link or site of that name is
     part of, and writes where it stands in that link's frame to frame: 7 reals, position and quaternion.
     Returns -1 if there is none; frame stays then. [ours] */
@@ -322,6 +331,23 @@ ODE_API int dRobotSetTarget(dRobotID robot, int joint, dReal target, dReal stiff
     exerted as it is). Returns how many links of the file it acts on: 0 without a medium. Refused: a negative
     stepsize. [ours] */
 ODE_API int dRobotAddFluidForces(dRobotID robot, dReal stepsize);
+
+/** Adds all that acts only from step to step: call it before each, with its size, s. It moves the filters of actuators on,
+    and adds spatial tendons (springs, dampers, limits, actuators) and what dRobotAddFluidForces adds to what acts on
+    the bodies. A tendon that is stiffer than steps of that size can follow is as stiff as
+    they can; a limit gives way by the square of the step times the acceleration that it stops. Without calls
+    spatial tendons do nothing, and filtered actuators act at once. Returns how many filters, tendons and links
+    it acts on. Refused: a stepsize that is not above 0. [ours] */
+ODE_API int dRobotAddForces(dRobotID robot, dReal stepsize);
+
+/** What the force of a filtered actuator follows instead of what dRobotSetControl has set; 0 at first. It is no part of
+    a world's state: save and set it with that.
+    - dRobotSetActivation: Sets it to activation, within its range; nothing changes of an actuator without a filter.
+      Returns 1.
+    - dRobotGetActivation: Returns it, 0 of an actuator without a filter.
+    Refused: no such actuator. [ours] */
+ODE_API int dRobotSetActivation(dRobotID robot, int actuator, dReal activation);
+ODE_API dReal dRobotGetActivation(dRobotID robot, int actuator);
 
 #ifdef __cplusplus
 }

@@ -304,6 +304,16 @@ class Model:
         of a coupling, three of a loop, six of a welded one). Motions that keep them are those that the matrix maps to 0."""
         return self._model.constraints(positions)
 
+    @property
+    def tendon_names(self) -> list[str]:
+        """Of all tendons of an MJCF file."""
+        return self._model.tendon_names
+
+    def tendons(self, positions: ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """The lengths of all tendons, of spatial ones along their paths, m, and their moment arms: the derivatives of the
+        lengths by the velocities, a row each."""
+        return self._model.tendons(positions)
+
     def inverse_dynamics(self, positions: ArrayLike, velocities: ArrayLike | None = None,
                          accelerations: ArrayLike | None = None) -> FloatArray:
         """The forces that give the accelerations, against gravity, without springs, dampers and friction; None: zeros."""
@@ -455,10 +465,7 @@ class Robot:
 
     @controls.setter
     def controls(self, values: ArrayLike) -> None:
-        wanted = np.asarray(values, float)
-        if wanted.shape != (len(self.model.actuators),):
-            raise ValueError(f"{len(self.model.actuators)} controls expected, not {wanted.size}")
-        for i, value in enumerate(wanted):
+        for i, value in enumerate(self._each_actuator(values, "controls")):
             self._live.set_control(i, float(value))
 
     def control(self, actuator: str | int, value: float) -> None:
@@ -474,6 +481,28 @@ class Robot:
         """Add what the medium of an MJCF file exerts to the forces on the bodies: call it before every step, with its size.
         Returns how many links of the file they act on: 0 without a medium."""
         return self._live.add_fluid_forces(h)
+
+    def add_forces(self, h: float) -> int:
+        """Add all that acts only from step to step: spatial tendons, the medium, and filters of actuators, which it moves on.
+        Call it before every step, with its size. Returns how many filters, tendons and links it acts on."""
+        return self._live.add_forces(h)
+
+    @property
+    def activations(self) -> FloatArray:
+        """What the forces of filtered actuators follow instead of their controls; 0 of those without a filter. Setting them
+        clamps each to its range."""
+        return np.array([self._live.activation(i) for i in range(len(self.model.actuators))])
+
+    @activations.setter
+    def activations(self, values: ArrayLike) -> None:
+        for i, value in enumerate(self._each_actuator(values, "activations")):
+            self._live.set_activation(i, float(value))
+
+    def _each_actuator(self, values: ArrayLike, what: str) -> FloatArray:
+        wanted = np.asarray(values, float)
+        if wanted.shape != (len(self.model.actuators),):
+            raise ValueError(f"{len(self.model.actuators)} {what} expected, not {wanted.size}")
+        return wanted
 
     def pose(self, frame: str) -> tuple[FloatArray, FloatArray]:
         """The position and the quaternion, in the world, of a link, merged link or site, by name."""

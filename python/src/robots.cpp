@@ -20,6 +20,7 @@
 #include "robots/load.h"
 #include "robots/sensor_kinds.h"
 #include "robots/sensors.h"
+#include "robots/tendon.h"
 #include "robots/write/write.h"
 
 using namespace epode::robots;
@@ -231,6 +232,21 @@ nb::object get_fluid_forces(const Model& m, nb::object positions, nb::object vel
         fluid_forces(m.model, read_positions(m, positions), read(velocities, speeds(m.model), "velocities")));
 }
 
+nb::list tendon_names(const Model& m)
+{
+    nb::list out;
+    for (const Tendon& tendon : m.model.tendons) out.append(tendon.name);
+    return out;
+}
+
+// (lengths, their derivatives by the velocities)
+nb::object get_tendons(const Model& m, nb::object positions)
+{
+    const Reals at = read_positions(m, positions);
+    return nb::make_tuple(row(tendon_lengths(m.model, at)),
+                          table(tendon_jacobian(m.model, at), m.model.tendons.size(), speeds(m.model)));
+}
+
 // (how far couplings and loops are from what they ask, its derivative by the velocities)
 nb::object get_constraints(const Model& m, nb::object positions)
 {
@@ -427,6 +443,26 @@ int add_fluid_forces(Built& robot, double stepsize)
     return count;
 }
 
+int add_forces(Built& robot, double stepsize)
+{
+    if (!(stepsize > 0) || !std::isfinite(stepsize)) throw nb::value_error("a step size must be above 0");
+    Call call;
+    call.uses(robot.robot->body(int(robot.model().links.size()) - 1));
+    const int count = robot.robot->add_forces(stepsize);
+    call.done();
+    return count;
+}
+
+void set_activation(Built& robot, int actuator, double value)
+{
+    if (actuator < 0 || actuator >= int(robot.model().actuators.size()))
+        throw nb::index_error("no such actuator");
+    if (!std::isfinite(value)) throw nb::value_error("an activation must be finite");
+    Call call;
+    robot.robot->set_activation(actuator, value);
+    call.done();
+}
+
 void update(Built& robot, double stepsize)
 {
     if (!(stepsize > 0) || !std::isfinite(stepsize)) throw nb::value_error("a step size must be positive");
@@ -541,6 +577,8 @@ void bind_robots(nb::module_& m)
         .def("jacobian", get_jacobian)
         .def("mass_matrix", get_mass_matrix)
         .def("constraints", get_constraints)
+        .def_prop_ro("tendon_names", tendon_names)
+        .def("tendons", get_tendons)
         .def("inverse_dynamics", get_inverse_dynamics)
         .def("inverse", get_inverse, "guess"_a, "goals"_a, "weights"_a.none(), "posture"_a.none(),
              "max_iterations"_a, "max_starts"_a, "tolerance"_a)
@@ -563,6 +601,9 @@ void bind_robots(nb::module_& m)
         .def("set_control", set_control)
         .def("set_target", set_target)
         .def("add_fluid_forces", add_fluid_forces)
+        .def("add_forces", add_forces)
+        .def("activation", [](const Built& s, int actuator) { return s.robot->activation(actuator); })
+        .def("set_activation", set_activation)
         .def("update_sensors", update)
         .def("drive_forces", [](const Built& s) { return row(s.sensors->drive_forces()); })
         .def("imu", imu)

@@ -172,6 +172,32 @@ def test_a_medium_and_a_height_field():
         robot.add_fluid_forces(-1)
 
 
+def test_a_string_over_a_ball_and_a_filter():
+    model = epode.robot.from_text("""<mujoco><worldbody><site name='top' pos='-0.5 0 1'/><geom name='ball' size='0.1' pos='0 0 0.7'/>
+        <body><joint name='down' type='slide' axis='0 0 -1'/><geom size='0.05' mass='2'/><site name='hook'/></body></worldbody>
+        <tendon><spatial name='string' stiffness='500' damping='20'><site site='top'/><geom geom='ball'/><site site='hook'/></spatial></tendon>
+        <actuator><general name='winch' tendon='string' gear='-1' dyntype='filterexact' dynprm='0.1' ctrlrange='0 50'/></actuator></mujoco>""")
+    assert model.tendon_names == ["string"]
+    lengths, moments = model.tendons([0.2])
+    high, low = (model.tendons([0.2 + d])[0][0] for d in (1e-6, -1e-6))
+    assert moments.shape == (1, 1) and moments[0, 0] == pytest.approx((high - low) / 2e-6, abs=1e-8)
+    robot = model.build()
+    robot.control("winch", 80)
+    for _ in range(1000):
+        assert robot.add_forces(0.005) == 2
+        robot.world.step(0.005)
+    assert robot.activations == pytest.approx([50])
+    lengths, moments = model.tendons(robot.positions)
+    rest = model.tendons([0])[0][0]
+    assert moments[0, 0] * (500 * (lengths[0] - rest) + 50) == pytest.approx(2 * 9.81, rel=1e-6)
+    robot.activations = [7]
+    assert robot.activations == pytest.approx([7])
+    with pytest.raises(ValueError, match="1 activations expected"):
+        robot.activations = [1, 2]
+    with pytest.raises(ValueError, match="step size"):
+        robot.add_forces(0)
+
+
 def test_history_takes_robots_back(arm):
     world = epode.World()
     world.history = 10

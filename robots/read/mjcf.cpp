@@ -121,7 +121,7 @@ void Mjcf::read_option(const Element& element)
     reading_.vec(element, "wind", model_.medium.wind);
     if (model_.medium.acts())
         reading_.note_once(Note::kChanged, element,
-                           "the forces of the medium act where dRobotAddFluidForces is called before a step");
+                           "the forces of the medium act where dRobotAddForces is called before a step");
     for (const Element& flag : element.children("flag")) {
         if (flag.text("gravity") == "disable") model_.gravity = {};
         if (flag.text("contact") == "disable")

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The reader of MJCF, in four files: the document (compiler, assets, includes), the tree of bodies, height fields, and what acts on it
-// (actuators, equalities, tendons, contacts, keys). Sections may stand in any order and be divided over files, so
+// The reader of MJCF, in five files: the document (compiler, assets, includes), the tree of bodies, height fields, tendons, and what acts on it
+// (actuators, equalities, contacts, keys). Sections may stand in any order and be divided over files, so
 // they are collected first and read in the order in which they need each other.
 #pragma once
 
@@ -96,12 +96,20 @@ class Mjcf {
     bool read_samples(const Field& asset, HeightField& field, std::string& problem);
     bool read_elevation(const Element& element, HeightField& field, std::string& problem);
 
+    // mjcf_tendons.cpp
+    void read_tendons(const Element& section);
+    void read_terms(const Element& element, Tendon& tendon);
+    void read_path(const Element& element, Tendon& tendon);
+    bool read_surface(const Element& element, PathPart& part);
+    void read_tendon(const Attributes& attributes, Tendon& tendon);
+
     // mjcf_actions.cpp
     void read_actuators(const Element& section);
     void read_actuator(const Attributes& attributes);
     bool find_target(const Attributes& attributes, Actuator& actuator);
     void read_gains(const Attributes& attributes, Actuator& actuator);
     void read_activation(const Attributes& attributes, Actuator& actuator);
+    void read_filter(const Attributes& attributes, Actuator& actuator);
     double damping_of(const Actuator& actuator, double ratio);
     void read_cylinder(const Attributes& attributes, Actuator& actuator);
     void read_equalities(const Element& section);
@@ -112,7 +120,6 @@ class Mjcf {
     void read_joint_equality(const Attributes& attributes);
     void read_tendon_equality(const Attributes& attributes);
     bool read_line(const Attributes& attributes, std::array<double, 2>& line, Coupling& coupling);
-    void read_tendons(const Element& section);
     void read_contacts(const Element& section);
     void read_keys(const Element& section);
     void read_sensors(const Element& section);

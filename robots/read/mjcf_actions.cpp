@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Actuators, equalities, tendons, contacts, keys and sensors: see mjcf.h.
+// Actuators, equalities, contacts, keys and sensors: see mjcf.h.
 #include "robots/read/mjcf.h"
 #include "robots/sensor_kinds.h"
+#include "robots/tendon.h"
 
 namespace epode::robots {
 
@@ -63,7 +64,7 @@ void Mjcf::read_gains(const Attributes& a, Actuator& actuator)
         read_cylinder(a, actuator);
     } else if (actuator.kind != "motor") {
         number(a, "kp", kp), number(a, "kv", kv);
-        const bool is_servo = actuator.kind == "position";
+        const bool is_servo = actuator.kind != "velocity";
         actuator.bias_position = is_servo ? kp : 0, actuator.bias_velocity = kv;
         actuator.gain = is_servo ? kp : kv;
         double ratio = 0;
@@ -78,20 +79,23 @@ double Mjcf::damping_of(const Actuator& actuator, double ratio)
 {
     if (!masses().is_good()) return 0;
     std::vector<double> moment(masses().size(), 0);
-    const std::vector<Coupling::Term> own{{actuator.joint, 1}};
-    for (const Coupling::Term& term :
-         actuator.joint >= 0 ? own : model_.tendons[size_t(actuator.tendon)].terms)
-        moment[size_t(velocity_of(model_, term.joint))] += actuator.gear * term.factor;
+    if (actuator.joint >= 0)
+        moment[size_t(velocity_of(model_, actuator.joint))] = 1;
+    else
+        moment = tendon_moments(model_, reference_positions(model_), actuator.tendon);
+    for (double& one : moment) one *= actuator.gear;
     return 2 * ratio * std::sqrt(actuator.gain / masses().inverse_mass(moment.data()));
 }
 
-// What stands between control and force. The kinds that are written as others (general) need the words of these.
+// What stands between control and force, as words to be written again (the kinds that are written as others need those) and, of
+// filters and integrators, as what acts. An intvelocity's control is the speed of its position servo's target.
 void Mjcf::read_activation(const Attributes& a, Actuator& actuator)
 {
     std::vector<double> values;
     auto& out = actuator.activation;
-    const std::string dynamics = a.text("dyntype");
-    if (actuator.kind == "general" && !dynamics.empty() && dynamics != "none") {
+    const std::string dynamics = actuator.kind == "intvelocity" ? "integrator" : a.text("dyntype");
+    const bool says_it = actuator.kind == "general" || actuator.kind == "intvelocity";
+    if (says_it && !dynamics.empty() && dynamics != "none") {
         out.push_back({"dyntype", dynamics});
         if (a.has("actearly")) out.push_back({"actearly", a.text("actearly")});
         if (a.has("actrange"))
@@ -104,15 +108,36 @@ void Mjcf::read_activation(const Attributes& a, Actuator& actuator)
         out = {{"dyntype", "filterexact"}, {"dynprm", a.text("timeconst")}};
     if (actuator.kind == "cylinder")
         out = {{"dyntype", "filter"}, {"dynprm", a.has("timeconst") ? a.text("timeconst") : "1"}};
-    if (!out.empty())
-        reading_.note(Note::kApproximated, a.element(),
-                      "actuator '" + actuator.name + "' acts without its filter");
+    if (!out.empty()) read_filter(a, actuator);
+}
+
+void Mjcf::read_filter(const Attributes& a, Actuator& actuator)
+{
+    using Kind = Activation::Kind;
+    static const std::map<std::string, Kind> kinds{
+        {"integrator", Kind::kIntegrator}, {"filter", Kind::kFilter}, {"filterexact", Kind::kExactFilter}};
+    const auto kind = kinds.find(actuator.activation[0][1]);
+    if (kind == kinds.end())
+        return reading_.note(Note::kApproximated, a.element(),
+                             "actuator '" + actuator.name + "' acts without its filter");
+    Activation& filter = actuator.filter;
+    std::vector<double> values;
+    filter.kind = kind->second;
+    for (const auto& [name, text] : actuator.activation)
+        if (name == "dynprm" && parse_numbers(text, values) && !values.empty()) filter.time = values[0];
+    if (list(a, "actrange", 2, 2, values) && is_limited(a, "actlimited", "actrange"))
+        filter.low = values[0], filter.high = values[1];
+    filter.is_early = a.text("actearly") == "true";
+    if (filter.low > filter.high)
+        return reading_.error(a.element(),
+                              "actuator '" + actuator.name + "' has a range that ends before it begins");
+    reading_.note_once(Note::kChanged, a.element(),
+                       "filters of actuators act where dRobotAddForces is called before a step");
 }
 
 // A pneumatic one: the force is area times pressure, which the control approaches, plus a bias.
 void Mjcf::read_cylinder(const Attributes& a, Actuator& actuator)
 {
-    constexpr double kPi = 3.14159265358979323846;
     std::vector<double> bias;
     double diameter = 0;
     number(a, "area", actuator.gain);
@@ -144,7 +169,8 @@ void Mjcf::read_actuator(const Attributes& a)
     actuator.name = a.element().text("name"), actuator.kind = a.element().name(),
     actuator.line = a.element().line();
     const std::string& kind = actuator.kind;
-    static const std::set<std::string> known{"motor", "position", "velocity", "general", "cylinder"};
+    static const std::set<std::string> known{"motor",   "position", "velocity",
+                                             "general", "cylinder", "intvelocity"};
     if (!known.count(kind)) return reading_.note(Note::kIgnored, a.element(), "an actuator <" + kind + ">");
     if (!find_target(a, actuator)) return;
     std::vector<double> values;
@@ -260,8 +286,11 @@ void Mjcf::read_tendon_equality(const Attributes& a)
     const Element& element = a.element();
     const int one = index_of(model_.tendons, element.text("tendon1"));
     const int two = element.has("tendon2") ? index_of(model_.tendons, element.text("tendon2")) : -1;
+    const auto is_path = [&](int i) { return i >= 0 && !model_.tendons[size_t(i)].path.empty(); };
     if (one < 0 || (element.has("tendon2") && two < 0))
         return reading_.note(Note::kIgnored, element, "an equality of tendons that are not read");
+    if (is_path(one) || is_path(two))
+        return reading_.note(Note::kIgnored, element, "an equality of spatial tendons");
     Coupling coupling;
     std::array<double, 2> c{};
     if (!read_line(a, c, coupling)) return;
@@ -293,38 +322,6 @@ void Mjcf::read_equalities(const Element& section)
             read_tendon_equality(a);
         else
             reading_.note(Note::kIgnored, element, "an equality of kind <" + kind + ">");
-    }
-}
-
-void Mjcf::read_tendons(const Element& section)
-{
-    for (const Element& element : expand(section)) {
-        const Attributes a = defaults_.of(element, "", reading_);
-        if (element.name() != "fixed") {
-            reading_.note(Note::kIgnored, element, "a tendon of kind <" + element.name() + ">");
-            continue;
-        }
-        Tendon tendon;
-        tendon.name = element.text("name"), tendon.line = element.line();
-        for (const Element& joint : element.children("joint")) {
-            Coupling::Term term{model_.joint_named(joint.text("joint")), 0};
-            reading_.number(joint, "coef", term.factor);
-            if (term.joint < 0 || !model_.joints[size_t(term.joint)].is_scalar())
-                reading_.error(joint, "the tendon '" + tendon.name + "' names '" + joint.text("joint") +
-                                          "', which is no hinge or slider");
-            else
-                tendon.terms.push_back(term);
-        }
-        std::vector<double> range;
-        if (list(a, "range", 2, 2, range) && is_limited(a, "limited", "range"))
-            tendon.low = range[0], tendon.high = range[1];
-        if (list(a, "springlength", 1, 2, range) && range[0] != -1) {
-            tendon.has_rest = true, tendon.rest = (range.front() + range.back()) / 2;
-            if (range.front() != range.back())
-                reading_.note(Note::kApproximated, element, "a tendon's range of rest is its middle");
-        }
-        number(a, "stiffness", tendon.stiffness), number(a, "damping", tendon.damping);
-        model_.tendons.push_back(tendon);
     }
 }
 

@@ -15,6 +15,7 @@ std::string family_of(const std::string& element)
 {
     static const std::set<std::string> actuators{"motor",  "position", "velocity", "general",  "intvelocity",
                                                  "damper", "cylinder", "muscle",   "adhesion", "plugin"};
+    if (element == "fixed" || element == "spatial") return "tendon";
     return actuators.count(element) ? "actuator" : element;
 }
 

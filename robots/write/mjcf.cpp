@@ -49,13 +49,15 @@ class MjcfWriter {
     void write_inertial(Node body, const Link& link);
     void write_joint(Node body, size_t number);
     void write_passive(Node node, const Joint& joint);
-    void write_geom(Node body, const Shape& shape, bool touches);
+    std::string write_geom(Node body, const Shape& shape, bool touches);
     void write_size(Node geom, const Shape& shape);
     void write_closures();
-    std::string site_at(int link, const Pose& pose);
+    std::string site_at(int link, const Pose& pose, bool by_place = false);
     void write_couplings();
     void write_tendons();
     void write_tendon(const Tendon& tendon, const std::string& name);
+    void write_part(Node tendon, const PathPart& part);
+    std::string surface_of(const PathPart& part);
     void write_tendon_equality(const Coupling& coupling);
     void write_actuators();
     void write_gains(Node actuator, const Actuator& from, const std::string& kind);
@@ -77,7 +79,8 @@ class MjcfWriter {
     std::vector<std::string> links_, joints_, tendons_;
     std::vector<Node> bodies_;
     Names sites_, geoms_, tendon_names_;
-    std::vector<std::string> frames_;  // names of the model's, as written
+    std::vector<std::string> frames_;                   // names of the model's, as written
+    std::vector<std::vector<std::string>> geom_names_;  // by link: of what touches, then of looks
     Losses losses_;
 };
 
@@ -249,20 +252,23 @@ void MjcfWriter::write_size(Node geom, const Shape& shape)
     }
 }
 
-void MjcfWriter::write_geom(Node body, const Shape& shape, bool touches)
+// Returns the name that it is written with.
+std::string MjcfWriter::write_geom(Node body, const Shape& shape, bool touches)
 {
     Node geom = body.append_child("geom");
-    if (!shape.name.empty()) set(geom, "name", geoms_.unique(shape.name, "geom", 0));
+    const std::string name = shape.name.empty() ? "" : geoms_.unique(shape.name, "geom", 0);
+    if (!name.empty()) set(geom, "name", name);
     set(geom, "type", type_of(shape.kind));
     write_size(geom, shape);
     write_pose(geom, shape.pose);
     set(geom, "rgba", color_text(shape.color));
     set(geom, "contype", touches ? double(shape.category) : 0),
         set(geom, "conaffinity", touches ? double(shape.collide) : 0);
-    if (!touches) return;
+    if (!touches) return name;
     set(geom, "condim", shape.rolling_friction > 0 ? 6 : shape.friction > 0 ? 3 : 1);
     set(geom, "friction", list_text({shape.friction, 0.005, shape.rolling_friction}));
     write_softness(geom, "solref", "solimp", shape.softness);
+    return name;
 }
 
 void MjcfWriter::write_bodies()
@@ -279,8 +285,9 @@ void MjcfWriter::write_bodies()
             write_inertial(bodies_[i], link);
         }
         for (int joint : link.joints) write_joint(bodies_[i], size_t(joint));
-        for (const Shape& shape : link.shapes) write_geom(bodies_[i], shape, true);
-        for (const Shape& shape : link.visuals) write_geom(bodies_[i], shape, false);
+        std::vector<std::string>& names = geom_names_.emplace_back();
+        for (const Shape& shape : link.shapes) names.push_back(write_geom(bodies_[i], shape, true));
+        for (const Shape& shape : link.visuals) names.push_back(write_geom(bodies_[i], shape, false));
     }
     for (size_t i = 0; i < model_.frames.size(); ++i) {
         const Frame& frame = model_.frames[i];
@@ -291,12 +298,15 @@ void MjcfWriter::write_bodies()
     }
 }
 
-// A frame of the model that is there, or a site made for it.
-std::string MjcfWriter::site_at(int link, const Pose& pose)
+// A frame of the model that is there (by its place: turned anyhow), or a site made for it.
+std::string MjcfWriter::site_at(int link, const Pose& pose, bool by_place)
 {
-    for (size_t i = 0; i < frames_.size(); ++i)
-        if (model_.frames[i].link == link && !frames_[i].empty() && is_near(model_.frames[i].pose, pose))
+    for (size_t i = 0; i < frames_.size(); ++i) {
+        const Pose& its = model_.frames[i].pose;
+        if (model_.frames[i].link == link && !frames_[i].empty() &&
+            is_near(its, by_place ? Pose{pose.p, its.q} : pose))
             return frames_[i];
+    }
     Node site = bodies_[size_t(link)].append_child("site");
     const std::string name = sites_.unique("", "loop", 1);
     set(site, "name", name);
@@ -372,15 +382,46 @@ void MjcfWriter::write_couplings()
     }
 }
 
+// Of a path's part the site, or the geom, which is made where there is none.
+void MjcfWriter::write_part(Node tendon, const PathPart& part)
+{
+    using Kind = PathPart::Kind;
+    if (part.kind == Kind::kPulley) return set(tendon.append_child("pulley"), "divisor", part.divisor);
+    if (part.kind == Kind::kSite)
+        return set(tendon.append_child("site"), "site", site_at(part.link, part.pose));
+    Node its = tendon.append_child("geom");
+    set(its, "geom", surface_of(part));
+    if (part.side_link >= 0) set(its, "sidesite", site_at(part.side_link, {part.side, {}}, true));
+}
+
+std::string MjcfWriter::surface_of(const PathPart& part)
+{
+    const ShapeKind kind = part.kind == PathPart::Kind::kSphere ? ShapeKind::kSphere : ShapeKind::kCylinder;
+    const Link& link = model_.links[size_t(part.link)];
+    size_t number = 0;
+    for (const auto* shapes : {&link.shapes, &link.visuals})
+        for (const Shape& shape : *shapes) {
+            const std::string& name = geom_names_[size_t(part.link)][number++];
+            if (!name.empty() && shape.kind == kind && shape.size.x == part.radius &&
+                is_near(shape.pose, part.pose))
+                return name;
+        }
+    Shape own;
+    own.kind = kind, own.pose = part.pose, own.size = {part.radius, part.radius, 0};
+    own.name = "around", own.color[3] = 0;
+    return write_geom(bodies_[size_t(part.link)], own, false);
+}
+
 void MjcfWriter::write_tendon(const Tendon& tendon, const std::string& name)
 {
-    Node its = section("tendon").append_child("fixed");
+    Node its = section("tendon").append_child(tendon.path.empty() ? "fixed" : "spatial");
     const bool is_limited = std::isfinite(tendon.low) || std::isfinite(tendon.high);
     set(its, "name", name), set(its, "limited", yes(is_limited));
     if (is_limited) set(its, "range", range_of(tendon.low, tendon.high));
     if (tendon.stiffness != 0) set(its, "stiffness", tendon.stiffness);
     if (tendon.damping != 0) set(its, "damping", tendon.damping);
-    if (tendon.has_rest) set(its, "springlength", range_of(tendon.rest, tendon.rest));
+    if (tendon.has_rest) set(its, "springlength", range_of(tendon.rest, tendon.rest_high));
+    for (const PathPart& part : tendon.path) write_part(its, part);
     for (const Coupling::Term& term : tendon.terms) {
         Node joint = its.append_child("joint");
         set(joint, "joint", joints_[size_t(term.joint)]), set(joint, "coef", term.factor);

@@ -57,6 +57,22 @@ TEST(HostileFiles, BrokenXmlIsRefusedWithItsLine)
     expect_error("<other/>", "the root element is <other>");
 }
 
+// Found by the fuzzer: a radius of 1e120 m makes a mass beyond all numbers.
+TEST(HostileFiles, MassesBeyondAllNumbersAreRefused)
+{
+    LoadOptions from_shapes;
+    from_shapes.inertia_from_shapes = from_shapes.repair = true;
+    const std::string huge =
+        "<collision><geometry><cylinder radius='1e120' length='1'/></geometry></collision>";
+    expect_error(urdf(link("a") + link("b", huge) + joint("j", "a", "b")),
+                 "the mass, centre or inertia of link 'b' is beyond 1e30", from_shapes);
+    const std::string heavy =
+        "<inertial><origin xyz='1e40 0 0'/><mass value='1e300'/><inertia ixx='1e300' iyy='1e300' izz='1e300' "
+        "ixy='0' "
+        "ixz='0' iyz='0'/></inertial>";
+    expect_error(urdf(link("a") + link("b", heavy) + joint("j", "a", "b")), "link 'b' is beyond 1e30");
+}
+
 TEST(HostileFiles, EntitiesAreRefused)
 {
     expect_error("<!DOCTYPE r [<!ENTITY a 'aaaa'><!ENTITY b '&a;&a;'>]><robot/>", "entities of its own");

@@ -180,6 +180,14 @@ class Models : Comparison {
              });
     }
 
+    void part(const std::string& what, const PathPart& a, const PathPart& b)
+    {
+        same(what + " kind", int(a.kind), int(b.kind)), same(what + " link", a.link, b.link);
+        same(what + " pose", a.pose, b.pose), same(what + " radius", a.radius, b.radius);
+        same(what + " side's link", a.side_link, b.side_link), same(what + " side", a.side, b.side);
+        same(what + " divisor", a.divisor, b.divisor);
+    }
+
     void relations()
     {
         each("couplings", by_follower(a_.couplings), by_follower(b_.couplings),
@@ -201,6 +209,9 @@ class Models : Comparison {
                  same(what + " stiffness", a.stiffness, b.stiffness),
                      same(what + " damping", a.damping, b.damping);
                  same(what + " has a rest", a.has_rest, b.has_rest), same(what + " rest", a.rest, b.rest);
+                 same(what + " rest", a.rest_high, b.rest_high);
+                 each(what + " path", a.path, b.path,
+                      [&](const std::string& its, const PathPart& x, const PathPart& y) { part(its, x, y); });
              });
         each("sensors", a_.sensors, b_.sensors,
              [&](const std::string& what, const Sensor& a, const Sensor& b) {
@@ -233,6 +244,10 @@ class Models : Comparison {
                  same(what + " low", a.low, b.low), same(what + " high", a.high, b.high);
                  same(what + " force", a.force_low, b.force_low),
                      same(what + " force", a.force_high, b.force_high);
+                 same(what + " filter", int(a.filter.kind), int(b.filter.kind));
+                 same(what + " filter's time", a.filter.time, b.filter.time);
+                 same(what + " filter's range", a.filter.low, b.filter.low),
+                     same(what + " filter's range", a.filter.high, b.filter.high);
                  each(what + " activation", a.activation, b.activation,
                       [&](const std::string& its, const auto& x, const auto& y) {
                           same(its, x[0], y[0]), same(its, x[1], y[1]);

@@ -16,8 +16,9 @@ namespace {
 constexpr const char* kWatched =
     R"(<mujoco><option density="1000" viscosity="0.1" wind="1 0 0"/><worldbody><geom type="plane" size="5 5 1"/>
 <body name="mast" pos="0 0 1"><joint name="turn" type="ball"/><geom size="0.1" mass="1"/><site name="eye" pos="0 0 0.1"/>
-<body name="tip" pos="0 0 0.3"><joint name="knee" range="-1 1"/><geom size="0.1" mass="1"/></body></body></worldbody>
-<actuator><motor name="drive" joint="knee" ctrlrange="-1 1"/></actuator>
+<body name="tip" pos="0 0 0.3"><joint name="knee" range="-1 1"/><geom name="ball" size="0.1" mass="1"/><site name="end" pos="0.1 0 0.2"/></body>
+</body></worldbody><tendon><spatial name="string" range="0.1 0.4" stiffness="100" damping="1"><site site="eye"/><geom geom="ball"/><site site="end"/></spatial></tendon>
+<actuator><motor name="drive" joint="knee" ctrlrange="-1 1"/><general tendon="string" dyntype="filter" dynprm="0.1" gainprm="10"/></actuator>
 <sensor><accelerometer site="eye"/><gyro site="eye"/><force site="eye"/><touch site="eye"/><rangefinder site="eye"/>
 <framepos objtype="site" objname="eye"/><ballquat joint="turn"/><jointpos joint="knee"/><magnetometer site="eye"/></sensor></mujoco>)";
 constexpr const char* kFaulty = "<robot name='r'><link name='a'/><link name='a'/></robot>";
@@ -147,7 +148,7 @@ bool Scene::is_finite() const
 void Scene::step()
 {
     for (int i = 0; i < 2; ++i) {
-        for (const dRobotID robot : robots) dRobotAddFluidForces(robot, dReal(0.005));
+        for (const dRobotID robot : robots) dRobotAddForces(robot, dReal(0.005));
         i ? dWorldStep(world, dReal(0.005)) : dWorldStepFast1(world, dReal(0.005), 4);
         for (const dRobotID robot : robots) dRobotUpdateSensors(robot, dReal(0.005));
     }

@@ -258,7 +258,7 @@ Value Values::camera(int argument, bool hostile)
     return structure(argument, c, which <= 10 ? Trait::kBad : Trait::kStrange);
 }
 
-// Those of a tetrahedron.
+// Those of a tetrahedron. The wrong index is in the first three, which an odd count (3) takes.
 Value Values::triangles(int argument, bool hostile)
 {
     if (hostile && below(3) == 0) return none();
@@ -266,7 +266,7 @@ Value Values::triangles(int argument, bool hostile)
                               kWrong[] = {4, 1u << 31, UINT_MAX};
     Value v = block(argument, kFaces, sizeof kFaces);
     if (!hostile) return v;
-    static_cast<unsigned*>(v.pointer)[below(12)] = kWrong[below(3)];
+    static_cast<unsigned*>(v.pointer)[below(9)] = kWrong[below(3)];
     v.trait = Trait::kBad, v.text = "index beyond the vertices";
     return v;
 }

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What acts only from step to step: forces of spatial tendons, and filters between controls and forces. With the length L of a tendon and
+// its rate V, its force is, gear, gain and biases of its actuators being g, G, b0, bp, bv and their input u,
+//     F = -k e - d V + sum g clamp(G u + b0 - bp g L - bv g V),    e: how far L is out of its range of rest,
+// taken at the step's beginning. Alone it would move L by h^2 A F, with the inverse mass A = J M^-1 J'. A step of size h follows
+// springs and dampers while h^2 A k and h A d are at most 1; of several tendons, while that holds of S = sum |A_ij|, row by row, which
+// bounds the eigenvalues. Stiffer ones are as stiff as that, weaker ones are as they are.
+// A limit is a force that takes L to it within the step, as far as it alone can tell: F <= (high - L - h V) / (h^2 S), and so with the
+// lower one. Under a load that would accelerate L by a it gives way by a h^2.
+#include <algorithm>
+
+#include "robots/body_poses.h"
+#include "robots/build.h"
+#include "robots/mass_factor.h"
+
+namespace epode::robots {
+
+struct Robot::Pull {
+    int tendon;
+    Path path;
+    double rate;
+    double sum = 0;  // S; 0: not needed
+};
+
+namespace {
+
+double beyond(double value, double low, double high)
+{
+    return value > high ? value - high : value < low ? value - low : 0;
+}
+
+double share(double stiffness, double limit) { return stiffness > limit ? limit / stiffness : 1; }
+
+// 1 - exp(-x), of x doubled from where the series is short: 1 - (1 - u)^2 = u (2 - u). The same bits everywhere.
+double approached(double x)
+{
+    if (x > 40) return 1;
+    const double y = x / 4096;
+    double u = y * (1 - y / 2 * (1 - y / 3 * (1 - y / 4 * (1 - y / 5))));
+    for (int i = 0; i < 12; ++i) u *= 2 - u;
+    return u;
+}
+
+double moved(const Activation& filter, double act, double control, double h)
+{
+    const double time = std::max(filter.time, 1e-15);
+    double out = act;
+    switch (filter.kind) {
+        case Activation::Kind::kNone:
+            return control;
+        case Activation::Kind::kIntegrator:
+            out += h * control;
+            break;
+        case Activation::Kind::kFilter:
+            out += std::min(1.0, h / time) * (control - act);
+            break;
+        case Activation::Kind::kExactFilter:
+            out += approached(h / time) * (control - act);
+            break;
+    }
+    return std::clamp(out, filter.low, filter.high);
+}
+
+}  // namespace
+
+bool Robot::is_filtered(size_t actuator) const
+{
+    return filters_act_ && model().actuators[actuator].filter.kind != Activation::Kind::kNone;
+}
+
+void Robot::set_drive_of(const Actuator& actuator)
+{
+    actuator.joint >= 0 ? set_joint_drive(actuator.joint) : set_tendon_drive(actuator.tendon);
+}
+
+void Robot::set_control(int actuator, double value)
+{
+    const Actuator& its = model().actuators[size_t(actuator)];
+    const double control = std::clamp(value, its.low, its.high);
+    if (its.tendon >= 0 && control != controls_[size_t(actuator)]) wake(model().tendons[size_t(its.tendon)]);
+    controls_[size_t(actuator)] = control;
+    if (is_filtered(size_t(actuator))) return;
+    inputs_[size_t(actuator)] = control;
+    set_drive_of(its);
+}
+
+void Robot::set_activation(int actuator, double value)
+{
+    const Actuator& its = model().actuators[size_t(actuator)];
+    if (its.filter.kind == Activation::Kind::kNone) return;
+    filters_act_ = true;
+    activations_[size_t(actuator)] = inputs_[size_t(actuator)] =
+        std::clamp(value, its.filter.low, its.filter.high);
+    set_drive_of(its);
+}
+
+// A drive holds what acts through the step; those that do not change are left, so that their bodies may sleep.
+int Robot::move_filters(double h)
+{
+    int count = 0;
+    filters_act_ = true;
+    for (size_t i = 0; i < model().actuators.size(); ++i) {
+        if (!is_filtered(i)) continue;
+        const Actuator& its = model().actuators[i];
+        const double now = activations_[i], next = moved(its.filter, now, controls_[i], h);
+        const double acts = its.filter.is_early ? next : now;
+        activations_[i] = next, ++count;
+        if (acts == inputs_[i]) continue;
+        inputs_[i] = acts;
+        set_drive_of(its);
+    }
+    return count;
+}
+
+std::vector<Pose> Robot::link_poses() const
+{
+    std::vector<Pose> out;
+    for (size_t i = 0; i < bodies_.size(); ++i)
+        out.push_back(bodies_[i] ? pose_of(bodies_[i]) * Pose{-model().links[i].centre, {}} : placement_);
+    return out;
+}
+
+Vec Robot::velocity_at(int link, Vec point) const
+{
+    const dBodyID its = body(link);
+    if (!its) return {};
+    const Vec arm = point - vec_of(dBodyGetPosition(its));
+    return vec_of(dBodyGetLinearVel(its)) + cross(vec_of(dBodyGetAngularVel(its)), arm);
+}
+
+bool Robot::is_awake(const Tendon& tendon) const
+{
+    return std::any_of(tendon.path.begin(), tendon.path.end(), [&](const PathPart& part) {
+        const dBodyID its = body(part.link);
+        return its && dBodyIsEnabled(its) && !dBodyIsKinematic(its);
+    });
+}
+
+void Robot::wake(const Tendon& tendon) const
+{
+    for (const PathPart& part : tendon.path)
+        if (const dBodyID its = body(part.link)) dBodyEnable(its);
+}
+
+double Robot::stiffness(int tendon) const
+{
+    double sum = model().tendons[size_t(tendon)].stiffness;
+    for (const Actuator& a : model().actuators)
+        if (a.tendon == tendon) sum += a.gear * a.gear * std::max(0.0, a.bias_position);
+    return sum;
+}
+
+double Robot::damping(int tendon) const
+{
+    double sum = model().tendons[size_t(tendon)].damping;
+    for (const Actuator& a : model().actuators)
+        if (a.tendon == tendon) sum += a.gear * a.gear * std::max(0.0, a.bias_velocity);
+    return sum;
+}
+
+double Robot::force(const Pull& pull, double h) const
+{
+    const Tendon& tendon = model().tendons[size_t(pull.tendon)];
+    const double length = pull.path.length, limit = pull.sum > 0 ? 1 / (h * pull.sum) : kInfinity;
+    const double stiff = share(stiffness(pull.tendon), limit / h), damp = share(damping(pull.tendon), limit);
+    const auto& rest = prepared_->rests()[size_t(pull.tendon)];
+    double out =
+        -stiff * tendon.stiffness * beyond(length, rest[0], rest[1]) - damp * tendon.damping * pull.rate;
+    for (size_t i = 0; i < model().actuators.size(); ++i) {
+        const Actuator& a = model().actuators[i];
+        if (a.tendon != pull.tendon) continue;
+        const double steady = a.gain * inputs_[i] + a.bias - a.bias_position * a.gear * length;
+        const double its = (a.bias_position > 0 ? stiff * steady : steady) -
+                           (a.bias_velocity > 0 ? damp : 1) * a.bias_velocity * a.gear * pull.rate;
+        out += a.gear * std::clamp(its, a.force_low, a.force_high);
+    }
+    if (!(pull.sum > 0)) return out;
+    const double next = length + h * pull.rate;
+    out = std::min(out, limit / h * (tendon.high - next));
+    return std::max(out, limit / h * (tendon.low - next));
+}
+
+// S of those that need it.
+void Robot::set_limits_of(std::vector<Pull>& pulls, double h) const
+{
+    std::vector<Pull*> stiff;
+    for (Pull& pull : pulls) {
+        const Tendon& tendon = model().tendons[size_t(pull.tendon)];
+        const bool is_held = beyond(pull.path.length + h * pull.rate, tendon.low, tendon.high) != 0;
+        if (is_held || stiffness(pull.tendon) > 0 || damping(pull.tendon) > 0) stiff.push_back(&pull);
+    }
+    if (stiff.empty()) return;
+    const std::vector<double> q = positions();
+    const MassFactor masses(model(), q);
+    if (!masses.is_good()) return;
+    std::vector<std::vector<double>> halves;
+    for (const Pull* pull : stiff)
+        halves.push_back(masses.halfway(tendon_moments(model(), q, pull->tendon).data()));
+    for (size_t i = 0; i < stiff.size(); ++i)
+        for (const std::vector<double>& other : halves) {
+            double product = 0;
+            for (size_t k = 0; k < other.size(); ++k) product += halves[i][k] * other[k];
+            stiff[i]->sum += std::fabs(product);
+        }
+}
+
+// Of the spatial tendons of which something moves.
+std::vector<Robot::Pull> Robot::pulls(double h) const
+{
+    std::vector<Pull> out;
+    std::vector<Pose> poses;
+    for (size_t i = 0; i < model().tendons.size(); ++i) {
+        const Tendon& tendon = model().tendons[i];
+        if (tendon.path.empty() || !is_awake(tendon)) continue;
+        if (poses.empty()) poses = link_poses();
+        Pull pull{int(i), path_of(tendon, poses), 0};
+        for (const Piece& piece : pull.path.pieces)
+            pull.rate +=
+                dot(piece.direction, velocity_at(piece.link2, piece.p2) - velocity_at(piece.link1, piece.p1));
+        out.push_back(std::move(pull));
+    }
+    set_limits_of(out, h);
+    return out;
+}
+
+void Robot::act(const Path& path, double force) const
+{
+    const auto pull = [&](int link, Vec point, Vec its) {
+        const dBodyID to = body(link);
+        if (!to || !dBodyIsEnabled(to) || dBodyIsKinematic(to)) return;
+        add_force(to, its, cross(point - vec_of(dBodyGetPosition(to)), its));
+    };
+    for (const Piece& piece : path.pieces) {
+        pull(piece.link1, piece.p1, -force * piece.direction);
+        pull(piece.link2, piece.p2, force * piece.direction);
+    }
+}
+
+int Robot::add_tendon_forces(double h)
+{
+    const std::vector<Pull> all = pulls(h);
+    for (const Pull& pull : all) act(pull.path, force(pull, h));
+    return int(all.size());
+}
+
+int Robot::add_forces(double h)
+{
+    const int filters = move_filters(h);
+    return filters + add_tendon_forces(h) + add_fluid_forces(h);
+}
+
+}  // namespace epode::robots
