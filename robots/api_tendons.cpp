@@ -45,7 +45,8 @@ int dRobotModelGetTendons(dRobotModelID model, const dReal* positions, dReal* le
 int dRobotAddForces(dRobotID robot, dReal stepsize)
 {
     robot = alive(robot);
-    CHECK(robot && is_usable(stepsize) && stepsize > 0 && is_usable(1 / stepsize), "a robot and a stepsize above 0");
+    CHECK(robot && is_usable(stepsize) && stepsize > 0 && is_usable(1 / stepsize),
+          "a robot and a stepsize above 0");
     return guarded(__func__, [&] { return robot->robot->add_forces(double(stepsize)); });
 }
 

@@ -284,7 +284,7 @@ TEST_F(Tendons, keep_momentum)
                     "stiffness='300' springlength='0.6'")));
     for (int i = 0; i < 300; ++i) step(0.002);
     dVector3 linear{}, angular{};
-    double most = 0;
+    double largest = 0;
     for (int link = 1; link <= 3; ++link) {
         const dBodyID body = dRobotGetBody(robot, link);
         dMass mass;
@@ -294,10 +294,10 @@ TEST_F(Tendons, keep_momentum)
             const int j = (i + 1) % 3, k = (i + 2) % 3;
             linear[i] += mass.mass * v[i];
             angular[i] += mass.I[0] * w[i] + mass.mass * (x[j] * v[k] - x[k] * v[j]);
-            most = std::max(most, std::fabs(double(mass.mass * v[i])));
+            largest = std::max(largest, std::fabs(double(mass.mass * v[i])));
         }
     }
-    EXPECT_GT(most, 1);
+    EXPECT_GT(largest, 1);
     for (int i = 0; i < 3; ++i) {
         EXPECT_NEAR(linear[i], 0, kSingle ? 1e-5 : 1e-12) << i;
         EXPECT_NEAR(angular[i], 0, kSingle ? 1e-2 : 2e-3) << i << ": of first order in the step";
