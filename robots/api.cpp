@@ -222,9 +222,7 @@ int dRobotModelFindActuator(dRobotModelID model, const char* name)
 {
     model = alive(model);
     CHECK(model && name, "a model and a name");
-    const auto& all = model->model.actuators;
-    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& a) { return a.name == name; });
-    return found == all.end() ? -1 : int(found - all.begin());
+    return guarded(__func__, [&] { return model->model.actuator_named(name); });
 }
 
 int dRobotModelGetReference(dRobotModelID model, dReal* positions, int capacity)

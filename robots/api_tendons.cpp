@@ -21,9 +21,7 @@ int dRobotModelFindTendon(dRobotModelID model, const char* name)
 {
     model = alive(model);
     CHECK(model && name, "a model and a name");
-    const auto& all = model->model.tendons;
-    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& t) { return t.name == name; });
-    return found == all.end() ? -1 : int(found - all.begin());
+    return guarded(__func__, [&] { return model->model.tendon_named(name); });
 }
 
 int dRobotModelGetTendons(dRobotModelID model, const dReal* positions, dReal* lengths, dReal* jacobian,

@@ -77,6 +77,8 @@ bool RobotModel::frame_named(const std::string& wanted, Frame& frame) const
 }
 
 int RobotModel::joint_named(const std::string& wanted) const { return index_of(joints, wanted); }
+int RobotModel::tendon_named(const std::string& wanted) const { return index_of(tendons, wanted); }
+int RobotModel::actuator_named(const std::string& wanted) const { return index_of(actuators, wanted); }
 
 bool RobotModel::has_errors() const
 {

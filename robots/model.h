@@ -242,6 +242,8 @@ struct RobotModel {
     // The frame of that name in its link, a link's own too; false where there is none.
     bool frame_named(const std::string& wanted, Frame& frame) const;
     int joint_named(const std::string& wanted) const;
+    int tendon_named(const std::string& wanted) const;
+    int actuator_named(const std::string& wanted) const;
     bool has_errors() const;
 };
 

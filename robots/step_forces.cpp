@@ -10,6 +10,7 @@
 // A limit is a force that takes L to it within the step, as far as it alone can tell: F <= (high - L - h V) / (h^2 S), and so with the
 // lower one. Under a load that would accelerate L by a it gives way by a h^2.
 #include <algorithm>
+#include <numeric>
 
 #include "robots/body_poses.h"
 #include "robots/build.h"
@@ -186,24 +187,24 @@ double Robot::force(const Pull& pull, double h) const
 void Robot::set_limits_of(std::vector<Pull>& pulls, double h) const
 {
     std::vector<Pull*> stiff;
+    std::vector<int> numbers;
     for (Pull& pull : pulls) {
         const Tendon& tendon = model().tendons[size_t(pull.tendon)];
         const bool is_held = beyond(pull.path.length + h * pull.rate, tendon.low, tendon.high) != 0;
-        if (is_held || stiffness(pull.tendon) > 0 || damping(pull.tendon) > 0) stiff.push_back(&pull);
+        if (!is_held && stiffness(pull.tendon) <= 0 && damping(pull.tendon) <= 0) continue;
+        stiff.push_back(&pull), numbers.push_back(pull.tendon);
     }
     if (stiff.empty()) return;
     const std::vector<double> q = positions();
     const MassFactor masses(model(), q);
     if (!masses.is_good()) return;
+    const std::vector<double> moments = tendon_moments(model(), q, numbers);
     std::vector<std::vector<double>> halves;
-    for (const Pull* pull : stiff)
-        halves.push_back(masses.halfway(tendon_moments(model(), q, pull->tendon).data()));
+    for (size_t i = 0; i < stiff.size(); ++i) halves.push_back(masses.halfway(&moments[i * masses.size()]));
     for (size_t i = 0; i < stiff.size(); ++i)
-        for (const std::vector<double>& other : halves) {
-            double product = 0;
-            for (size_t k = 0; k < other.size(); ++k) product += halves[i][k] * other[k];
-            stiff[i]->sum += std::fabs(product);
-        }
+        for (const std::vector<double>& other : halves)
+            stiff[i]->sum +=
+                std::fabs(std::inner_product(other.begin(), other.end(), halves[i].begin(), 0.0));
 }
 
 // Of the spatial tendons of which something moves.

@@ -4,6 +4,8 @@
 // See tendon.h.
 #include "robots/tendon.h"
 
+#include <numeric>
+
 #include "robots/kinematics.h"
 #include "robots/mass_factor.h"
 #include "robots/wrap.h"
@@ -108,11 +110,13 @@ std::vector<double> tendon_lengths(const RobotModel& model, const std::vector<do
     return out;
 }
 
-std::vector<double> tendon_jacobian(const RobotModel& model, const std::vector<double>& positions)
+std::vector<double> tendon_moments(const RobotModel& model, const std::vector<double>& positions,
+                                   std::span<const int> tendons)
 {
     PointForces forces(model, positions);
     std::vector<double> out;
-    for (const Tendon& tendon : model.tendons) {
+    for (int number : tendons) {
+        const Tendon& tendon = model.tendons[size_t(number)];
         forces.clear();
         load(tendon, forces.poses(), forces);
         const std::vector<double> row = moments_of(model, tendon, forces);
@@ -121,11 +125,11 @@ std::vector<double> tendon_jacobian(const RobotModel& model, const std::vector<d
     return out;
 }
 
-std::vector<double> tendon_moments(const RobotModel& model, const std::vector<double>& positions, int tendon)
+std::vector<double> tendon_jacobian(const RobotModel& model, const std::vector<double>& positions)
 {
-    PointForces forces(model, positions);
-    load(model.tendons[size_t(tendon)], forces.poses(), forces);
-    return moments_of(model, model.tendons[size_t(tendon)], forces);
+    std::vector<int> all(model.tendons.size());
+    std::iota(all.begin(), all.end(), 0);
+    return tendon_moments(model, positions, all);
 }
 
 }  // namespace epode::robots

@@ -8,6 +8,8 @@
 // and a force f along L acts with f u / divisor on the links at those ends.
 #pragma once
 
+#include <span>
+
 #include "robots/model.h"
 
 namespace epode::robots {
@@ -27,9 +29,9 @@ struct Path {
 Path path_of(const Tendon& tendon, const std::vector<Pose>& poses);
 
 std::vector<double> tendon_lengths(const RobotModel& model, const std::vector<double>& positions);
-// dL/ds, s being the velocities: a row of each tendon.
+// dL/ds, s being the velocities: a row of each of these tendons, or of all.
+std::vector<double> tendon_moments(const RobotModel& model, const std::vector<double>& positions,
+                                   std::span<const int> tendons);
 std::vector<double> tendon_jacobian(const RobotModel& model, const std::vector<double>& positions);
-// One row.
-std::vector<double> tendon_moments(const RobotModel& model, const std::vector<double>& positions, int tendon);
 
 }  // namespace epode::robots

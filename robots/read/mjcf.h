@@ -88,6 +88,7 @@ class Mjcf {
     Quat turn_of_euler(Vec angles) const;
     int inline_mesh(const Asset& asset, bool counts_folds);
     Asset* mesh_named(const std::string& name, const Element& where);
+    const Frame* site_named(const std::string& name) const;  // null: none
     bool has_no_place(const Element& element);
 
     // mjcf_heights.cpp

@@ -8,24 +8,6 @@
 
 namespace epode::robots {
 
-namespace {
-
-int index_of(const std::vector<Tendon>& tendons, const std::string& name)
-{
-    for (size_t i = 0; i < tendons.size(); ++i)
-        if (tendons[i].name == name) return int(i);
-    return -1;
-}
-
-const Frame* frame_named(const RobotModel& model, const std::string& name)
-{
-    for (const Frame& frame : model.frames)
-        if (frame.name == name) return &frame;
-    return nullptr;
-}
-
-}  // namespace
-
 bool Mjcf::find_target(const Attributes& a, Actuator& actuator)
 {
     std::string joint = a.element().text("joint");
@@ -37,7 +19,7 @@ bool Mjcf::find_target(const Attributes& a, Actuator& actuator)
         return false;
     }
     actuator.joint = joint.empty() ? -1 : model_.joint_named(joint);
-    actuator.tendon = tendon.empty() ? -1 : index_of(model_.tendons, tendon);
+    actuator.tendon = tendon.empty() ? -1 : model_.tendon_named(tendon);
     if (!joint.empty() && actuator.joint < 0) {
         reading_.error(a.element(), "there is no joint '" + joint + "'");
         return false;
@@ -82,7 +64,7 @@ double Mjcf::damping_of(const Actuator& actuator, double ratio)
     if (actuator.joint >= 0)
         moment[size_t(velocity_of(model_, actuator.joint))] = 1;
     else
-        moment = tendon_moments(model_, reference_positions(model_), actuator.tendon);
+        moment = tendon_moments(model_, reference_positions(model_), std::array{actuator.tendon});
     for (double& one : moment) one *= actuator.gear;
     return 2 * ratio * std::sqrt(actuator.gain / masses().inverse_mass(moment.data()));
 }
@@ -208,8 +190,7 @@ void Mjcf::read_closure(const Attributes& a, bool weld)
 
 bool Mjcf::join_sites(const Element& element, Closure& closure)
 {
-    const Frame *one = frame_named(model_, element.text("site1")),
-                *two = frame_named(model_, element.text("site2"));
+    const Frame *one = site_named(element.text("site1")), *two = site_named(element.text("site2"));
     if (!one || !two) return reading_.error(element, "an equality of sites that are not there"), false;
     closure.link1 = one->link, closure.pose1 = one->pose;
     closure.link2 = two->link, closure.pose2 = two->pose;
@@ -284,8 +265,8 @@ void Mjcf::read_joint_equality(const Attributes& a)
 void Mjcf::read_tendon_equality(const Attributes& a)
 {
     const Element& element = a.element();
-    const int one = index_of(model_.tendons, element.text("tendon1"));
-    const int two = element.has("tendon2") ? index_of(model_.tendons, element.text("tendon2")) : -1;
+    const int one = model_.tendon_named(element.text("tendon1"));
+    const int two = element.has("tendon2") ? model_.tendon_named(element.text("tendon2")) : -1;
     const auto is_path = [&](int i) { return i >= 0 && !model_.tendons[size_t(i)].path.empty(); };
     if (one < 0 || (element.has("tendon2") && two < 0))
         return reading_.note(Note::kIgnored, element, "an equality of tendons that are not read");

@@ -282,6 +282,13 @@ int Mjcf::inline_mesh(const Asset& asset, bool counts_folds)
 }
 
 // Null and an error of a name that no mesh has, and of one that cannot be read.
+const Frame* Mjcf::site_named(const std::string& name) const
+{
+    for (const Frame& frame : model_.frames)
+        if (!name.empty() && frame.name == name) return &frame;
+    return nullptr;
+}
+
 Mjcf::Asset* Mjcf::mesh_named(const std::string& name, const Element& where)
 {
     const auto it = assets_.find(name);

@@ -10,13 +10,6 @@ namespace epode::robots {
 
 namespace {
 
-const Frame* site_named(const RobotModel& model, const std::string& name)
-{
-    for (const Frame& frame : model.frames)
-        if (!name.empty() && frame.name == name) return &frame;
-    return nullptr;
-}
-
 // A geom that touches or one that is only looked at, and its link.
 const Shape* geom_named(const RobotModel& model, const std::string& name, int& link)
 {
@@ -67,7 +60,7 @@ bool Mjcf::read_surface(const Element& element, PathPart& part)
     part.kind = shape->kind == ShapeKind::kSphere ? PathPart::Kind::kSphere : PathPart::Kind::kCylinder;
     part.pose = shape->pose, part.radius = shape->size.x;
     if (!element.has("sidesite")) return true;
-    const Frame* const side = site_named(model_, element.text("sidesite"));
+    const Frame* const side = site_named(element.text("sidesite"));
     if (!side) return reading_.error(element, "there is no site '" + element.text("sidesite") + "'"), false;
     part.side_link = side->link, part.side = side->pose.p;
     return true;
@@ -78,7 +71,7 @@ void Mjcf::read_path(const Element& element, Tendon& tendon)
     for (const Element& child : element.children()) {
         PathPart part;
         if (child.name() == "site") {
-            const Frame* const site = site_named(model_, child.text("site"));
+            const Frame* const site = site_named(child.text("site"));
             if (!site) return reading_.error(child, "there is no site '" + child.text("site") + "'");
             part.link = site->link, part.pose = site->pose;
         } else if (child.name() == "geom") {

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "robot_in_world.h"
 #include "robots/fluid.h"
 #include "robots/kinematics.h"
 #include "robots/load.h"
@@ -31,27 +32,8 @@ std::string in_medium(const std::string& medium, const std::string& bodies)
            "</worldbody></mujoco>";
 }
 
-class Fluid : public testing::Test {
+class Fluid : public RobotInWorld {
   protected:
-    Fluid()
-    {
-        dInitODE2(0);
-        world = dWorldCreate();
-    }
-    ~Fluid() override
-    {
-        if (robot) dRobotDestroy(robot);
-        if (model) dRobotModelDestroy(model);
-        dWorldDestroy(world);
-        dCloseODE();
-    }
-    void load(const std::string& text)
-    {
-        model = dRobotModelLoadText("robot.xml", text.data(), text.size(), nullptr);
-        ASSERT_EQ(dRobotModelHasErrors(model), 0);
-        robot = dRobotCreate(world, nullptr, model, nullptr, nullptr);
-        ASSERT_NE(robot, nullptr);
-    }
     void steps(int count, double h)
     {
         for (int i = 0; i < count; ++i) {
@@ -61,10 +43,6 @@ class Fluid : public testing::Test {
     }
     double speed(int axis) const { return double(dBodyGetLinearVel(dRobotGetBody(robot, 1))[axis]); }
     double spin(int axis) const { return double(dBodyGetAngularVel(dRobotGetBody(robot, 1))[axis]); }
-
-    dWorldID world;
-    dRobotModelID model = nullptr;
-    dRobotID robot = nullptr;
 };
 
 // m v' = m g - 2 rho a b v^2: v = u tanh(g t / u), u^2 = m g / (2 rho a b). The step is of first order.

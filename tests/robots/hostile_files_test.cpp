@@ -231,7 +231,7 @@ TEST(HostileFiles, MutatedRobotsDoNotCrash)
     dSetMessageHandler(&ignore_message);
     dSetErrorHandler(&ignore_message);
     dSetDebugHandler(&ignore_message);
-    for (const char* name : {"arm.urdf", "walker.xml", "fourbar.xml"}) {
+    for (const char* name : {"arm.urdf", "walker.xml", "fourbar.xml", "hand.xml"}) {
         const std::string path = kModels + "/" + name, text = contents_of(path);
         ASSERT_FALSE(text.empty());
         std::mt19937 random(7);

@@ -9,6 +9,7 @@
 
 #include "limit.h"
 #include "robots/load.h"
+#include "robots/tendon.h"
 #include "robots/write/write.h"
 
 using namespace epode::robots;
@@ -39,6 +40,9 @@ void check_indices(const RobotModel& model)
     for (const Joint& joint : model.joints) CHECK(joint.link > 0 && joint.link < links);
     for (const Coupling& coupling : model.couplings)
         for (const Coupling::Term& term : coupling.terms) CHECK(term.joint >= 0 && term.joint < joints);
+    for (const Tendon& tendon : model.tendons)
+        for (const PathPart& part : tendon.path)
+            CHECK(part.link >= 0 && part.link < links && part.side_link < links && part.divisor > 0);
     for (const Actuator& actuator : model.actuators)
         CHECK(actuator.joint < joints && actuator.tendon < int(model.tendons.size()) &&
               (actuator.joint >= 0 || actuator.tendon >= 0));
@@ -61,6 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     check_links(model);
     check_indices(model);
     CHECK(forward_kinematics(model, reference_positions(model)).size() == model.links.size());
+    CHECK(tendon_lengths(model, reference_positions(model)).size() == model.tendons.size());
     if (std::hash<std::string>()(text) % 8 != 0) return 0;
     for (const WrittenRobot& written : {write_urdf(model, EPODE_MODELS), write_mjcf(model, EPODE_MODELS)})
         (void)load_robot_text(EPODE_MODELS "/written.xml", written.text, options);
