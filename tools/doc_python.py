@@ -12,6 +12,8 @@ RECIPES = PACKAGE.parent / "recipes"
 MODULES = {"world": "Worlds", "body": "Bodies", "geom": "Geoms", "shapes": "Shapes and materials", "joint": "Joints and drives",
            "recording": "Recordings", "viewer": "Windows: epode.viewer", "plot": "Plots: epode.plot",
            "robot": "Robots: epode.robot", "enums": "Kinds", "errors": "Errors"}
+# A module's classes that have a file of their own.
+DATA = {"robot": "_robot_data"}
 
 
 def is_public(name):
@@ -74,11 +76,15 @@ def members(cls):
             yield node.targets[0].id, f"``{ast.unparse(node.value)}``"
 
 
+def tree_of(name):
+    return ast.parse((PACKAGE / f"{name}.py").read_text(encoding="utf-8"))
+
+
 def module_part(name, title):
-    tree = ast.parse((PACKAGE / f"{name}.py").read_text(encoding="utf-8"))
+    tree = tree_of(name)
     exported = re.findall(r'"(\w+)"', re.search(r"__all__ = \[(.*?)\]", (PACKAGE / "__init__.py").read_text(encoding="utf-8"), re.S)[1])
     part = f"## {title}\n\n{ast.get_docstring(tree)}\n\n"
-    for node in tree.body:
+    for node in [*(tree_of(DATA[name]).body if name in DATA else []), *tree.body]:
         prefix = "epode." if getattr(node, "name", None) in exported else f"epode.{name}."
         if isinstance(node, ast.ClassDef) and is_public(node.name):
             bases = f"({', '.join(ast.unparse(b) for b in node.bases)})" if node.bases else ""

@@ -23,11 +23,14 @@ import typing
 from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _c, c
 from ._handle import FloatArray, Value
 from ._poses import _moved, _number, _product
+from ._robot_data import (Actuator as Actuator, Link as Link, ModelJoint as ModelJoint, Note as Note, Options as Options,
+                          Path as Path, Picture as Picture, Sensor as Sensor, Solution as Solution, Target as Target,
+                          Touch as Touch)
 from .body import Body
 from .errors import DeadHandleError, RefusedError
 from .geom import Geom
@@ -42,114 +45,8 @@ _TYPES = {c.dJointTypeHinge: "hinge", c.dJointTypeSlider: "slider", c.dJointType
           c.dJointTypeAMotor: "amotor", c.dJointTypeCoupling: "coupling"}
 
 
-Path = str | os.PathLike[str]
-
-
 class FileShape(Shape):
     """A shape that a robot's file describes."""
-
-
-class Note(typing.NamedTuple):
-    """A line of a report. kind: changed (something else with the same motion), approximated, ignored or error."""
-    kind: str
-    file: str
-    line: int
-    text: str
-
-
-class Link(typing.NamedTuple):
-    """A link; number 0 is the world. centre, m, and inertia, kg m^2, about it, are in the link's frame."""
-    name: str
-    parent: int
-    mass: float
-    centre: FloatArray
-    inertia: FloatArray
-    joints: list[int]
-    shapes: int
-
-
-class ModelJoint(typing.NamedTuple):
-    """A joint between a link and its parent; position and velocity: number of its first one among all."""
-    name: str
-    kind: str
-    link: int
-    position: int
-    velocity: int
-    anchor: FloatArray
-    axis: FloatArray
-    low: float
-    high: float
-    max_force: float
-    max_velocity: float
-
-
-class Actuator(typing.NamedTuple):
-    """What a control acts on; joint -1: a tendon. low and high clamp the control."""
-    name: str
-    kind: str
-    joint: int
-    low: float
-    high: float
-
-
-class Sensor(typing.NamedTuple):
-    """A sensor that a file names: ``Robot.sensor`` reads values numbers of it; 0: it is not computed."""
-    name: str
-    kind: str
-    object: str
-    values: int
-
-
-class Touch(typing.NamedTuple):
-    """What touches a link: points of contact, the sum of their normal forces, N, the force on the link, N, and the centre
-    of pressure, m, in the world."""
-    points: int
-    normal_force: float
-    force: FloatArray
-    centre: FloatArray
-
-
-class Picture(typing.NamedTuple):
-    """What a camera sees, row by row from the top: red, green and blue, depth along the view axis, m, infinite where there
-    is nothing, and geoms (``World.geom_of`` knows them; 0: nothing)."""
-    color: NDArray[np.uint8]
-    depth: FloatArray
-    geoms: NDArray[np.uint64]
-
-
-class Target(typing.NamedTuple):
-    """Where a frame is to be brought: its point (in the frame, m) to position, m, and the frame to quaternion, in the
-    model's world; None: anywhere, any way."""
-    frame: str
-    position: ArrayLike | None = None
-    quaternion: ArrayLike | None = None
-    point: ArrayLike = (0.0, 0.0, 0.0)
-    position_weight: float = 1.0
-    orientation_weight: float = 1.0
-
-
-class Solution(typing.NamedTuple):
-    """What inverse kinematics found; errors in m and rad are the largest of all targets."""
-    positions: FloatArray
-    reached: bool
-    position_error: float
-    orientation_error: float
-    residual: float
-    iterations: int
-    starts: int
-
-
-class Options(typing.TypedDict, total=False):
-    """What ``load`` may be given besides the file."""
-    strict: bool
-    keep_fixed: bool
-    fixed_base: bool
-    repair: bool
-    inertia_from_shapes: bool
-    meshes_as_triangles: bool
-    meshes_as_parts: bool
-    missing_mass: float
-    roots: Sequence[Path]
 
 
 def _read(path: Path, text: str | None, options: Options) -> _RobotModel:
