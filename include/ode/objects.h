@@ -219,7 +219,8 @@ ODE_API dReal dWorldGetContactSurfaceLayer(dWorldID world);
     threshold times T, and turned by at most five times the angular one times T, over the last T = 0.5 s or
     4 s. When all bodies of an island have been idle for `steps` steps and `time` seconds they are disabled
     and their velocities set to zero; nine in ten suffice if the others have stayed near their places for a
-    second. A body wakes when an enabled one reaches it through a joint or contact.
+    second. A body wakes when an enabled one reaches it through a joint or contact, and in a world that
+    manages its contacts when its support changes (docs/guide/sleeping.md).
 
     Refused: a world that is 0 or destroyed; [dWorldSet*Threshold, dWorldSet*Time] NaN. Nothing changes
     then, and getters answer 0. */
@@ -341,8 +342,9 @@ ODE_API void* dBodyGetData(dBodyID body);
 
 /** @chapter body_state Bodies: pose and velocity
 
-    Setters move the body at once, with its geoms; they do not wake it and call no callback. After a jump
-    joints have errors, which the following steps correct.
+    Setters move the body at once, with its geoms; they do not wake it and call no callback (a velocity wakes
+    a kinematic body of a world that manages its contacts). After a jump joints have errors, which the
+    following steps correct.
 
     Refused: as for bodies; [dBodySet] moving a body whose geoms are in a space that is being collided. */
 

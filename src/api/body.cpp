@@ -72,8 +72,7 @@ void dBodySetPosition(dBodyID b, dReal x, dReal y, dReal z)
     BODY_OR();
     USABLE3(x, y, z);
     EPODE_USER_SAY(!in_locked_space(*body), "Invalid operation for locked space");
-    store(body->pos, {x, y, z});
-    body_moved(*body);
+    place_body(*body, {x, y, z});
 }
 
 void dBodySetRotation(dBodyID b, const dMatrix3 R)
@@ -85,9 +84,7 @@ void dBodySetRotation(dBodyID b, const dMatrix3 R)
     EPODE_USER_SAY(!in_locked_space(*body), "Invalid operation for locked space");
     Quat q = to_quat(clean);
     normalize(q);
-    store_quat(body->q, q);
-    store_mat(body->R, clean);
-    body_moved(*body);
+    orient_body(*body, q, clean);
 }
 
 void dBodySetQuaternion(dBodyID b, const dQuaternion q)
@@ -97,8 +94,7 @@ void dBodySetQuaternion(dBodyID b, const dQuaternion q)
     Quat unit = load_quat(q);
     EPODE_USER(normalize(unit));
     EPODE_USER_SAY(!in_locked_space(*body), "Invalid operation for locked space");
-    set_orientation(*body, unit);
-    body_moved(*body);
+    orient_body(*body, unit, to_matrix(unit));
 }
 
 // A vector of the body, and what else setting it means.
@@ -116,8 +112,8 @@ void dBodySetQuaternion(dBodyID b, const dQuaternion q)
         return body->member;                                  \
     }
 
-BODY_VECTOR(LinearVel, lvel)
-BODY_VECTOR(AngularVel, avel, body->spin_excess = Vec3())
+BODY_VECTOR(LinearVel, lvel, wake_if_driven(*body))
+BODY_VECTOR(AngularVel, avel, body->spin_excess = Vec3(), wake_if_driven(*body))
 BODY_VECTOR(Force, facc)
 BODY_VECTOR(Torque, tacc)
 
@@ -182,12 +178,14 @@ void dBodySetDynamic(dBodyID b)
 {
     BODY_OR();
     set_dynamic(*body);
+    wake_sleeper(*body);
 }
 
 void dBodySetKinematic(dBodyID b)
 {
     BODY_OR();
     set_kinematic(*body);
+    wake_sleeper(*body);
 }
 
 int dBodyIsKinematic(dBodyID b)

@@ -94,7 +94,7 @@ void dBodyEnable(dBodyID b)
 void dBodyDisable(dBodyID b)
 {
     BODY_OR();
-    body->disabled = true;
+    disable(*body);
 }
 
 int dBodyIsEnabled(dBodyID b)

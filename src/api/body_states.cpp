@@ -120,9 +120,10 @@ void set(Body& body, unsigned fields, const Real* from)
     if (fields & (dStatePosition | dStateQuaternion)) body_moved(body);
     if (fields & dStateLinearVel) take(body.lvel, from);
     if (fields & dStateAngularVel) take(body.avel, from), body.spin_excess = {};
+    if (fields & kVelocities) wake_if_driven(body);
     if (fields & dStateForce) take(body.facc, from);
     if (fields & dStateTorque) take(body.tacc, from);
-    if (fields & dStateEnabled) *from != 0 ? wake(body) : void(body.disabled = true);
+    if (fields & dStateEnabled) *from != 0 ? wake(body) : disable(body);
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ void dWorldSetContactSpace(dWorldID w, dSpaceID s)
     if (state->world_contacts.space == s) return;
     state->world_contacts.forget();
     state->world_contacts.space = s;
+    world->manages_contacts = s != nullptr;
     note_structure_changed();
 }
 

@@ -53,6 +53,7 @@ void dGeomSetCategoryBits(dGeomID id, unsigned long bits)
 {
     EPODE_GEOM(geom, id);
     EPODE_UNLOCKED(geom);
+    if (geom->category == bits) return;
     geom->category = bits;
     note_rules_changed(*geom);
 }
@@ -61,6 +62,7 @@ void dGeomSetCollideBits(dGeomID id, unsigned long bits)
 {
     EPODE_GEOM(geom, id);
     EPODE_UNLOCKED(geom);
+    if (geom->collide == bits) return;
     geom->collide = bits;
     note_rules_changed(*geom);
 }
@@ -80,6 +82,7 @@ unsigned long dGeomGetCollideBits(dGeomID id)
 void dGeomEnable(dGeomID id)
 {
     EPODE_GEOM(geom, id);
+    if (geom->enabled) return;
     geom->enabled = true;
     note_rules_changed(*geom);
 }
@@ -87,6 +90,7 @@ void dGeomEnable(dGeomID id)
 void dGeomDisable(dGeomID id)
 {
     EPODE_GEOM(geom, id);
+    if (!geom->enabled) return;
     geom->enabled = false;
     note_rules_changed(*geom);
 }

@@ -120,6 +120,7 @@ dBodyID dJointGetBody(dJointID j, int index)
 void dJointEnable(dJointID j)
 {
     JOINT_OR();
+    if (joint->disabled) wake_sleepers(*joint);
     joint->disabled = false;
     if (!joint->driven) return;
     drives_of(*joint).limits.broken = false;
@@ -129,6 +130,7 @@ void dJointEnable(dJointID j)
 void dJointDisable(dJointID j)
 {
     JOINT_OR();
+    if (!joint->disabled) wake_sleepers(*joint);
     joint->disabled = true;
     joint->impulse_rows = 0;
 }

@@ -72,7 +72,11 @@ void dWorldSetGravity(dWorldID w, dReal x, dReal y, dReal z)
 {
     EPODE_WORLD_OR();
     EPODE_USER(usable(x) && usable(y) && usable(z));
-    world->gravity = {x, y, z};
+    const Vec3 g{x, y, z};
+    if (g == world->gravity) return;
+    world->gravity = g;
+    if (world->wakes_sleepers())
+        for (Body& body : world->bodies) wake_sleeper(body);
 }
 
 void dWorldGetGravity(dWorldID w, dVector3 gravity)

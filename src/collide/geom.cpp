@@ -66,11 +66,10 @@ void refresh_box(Geom& geom)
 }
 
 // Whether it is queued or not: that depends on who has looked at the space before, and states do not tell.
-void note_moved(const Geom& geom)
+void note_moved(Geom& geom)
 {
-    if (geom.space) note_disturbed(*geom.space, geom);
-    for (const TransformGeom* holder = geom.holders; holder; holder = holder->next_holder)
-        note_moved(*holder);
+    if (geom.watched && geom.space) note_disturbed(*geom.space, geom);
+    for (TransformGeom* holder = geom.holders; holder; holder = holder->next_holder) note_moved(*holder);
 }
 
 void mark_moved(Geom& geom)

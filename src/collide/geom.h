@@ -64,6 +64,10 @@ struct GeomOffset {
     Real rotation[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 };
 
+// Why somebody wants to know when something happens to a geom: pairs of it lie at rest; a body touches it,
+// which may sleep on it; its own body sleeps on what has been disturbed already.
+enum WatchedFor : std::uint8_t { kRestingPairs = 1, kTouch = 2, kUnsupported = 4 };
+
 struct Geom : Numbered {
     explicit Geom(const GeomType& geom_type);
     Geom(const Geom&) = delete;
@@ -80,7 +84,7 @@ struct Geom : Numbered {
     std::uint8_t continuous = 0;  // a dContinuous... value; set_continuous() writes it
     bool dying = false;         // being destroyed: its class's function, or those of its members, are running
     bool sensor = false;        // reports what overlaps it and exerts no force; set_sensor() writes it
-    bool at_rest = false;       // who keeps pairs of its space wants to know when something happens to it
+    std::uint8_t watched = 0;   // WatchedFor: who wants to know when something happens to it
     int slot = -1;              // place among the members of its space
     std::uint32_t changes = 0;  // of the shape, see mark_changed()
     Space* space = nullptr;
@@ -100,6 +104,7 @@ struct Geom : Numbered {
     std::atomic<int> users{0};                 // calls into the program in progress that rely on this geom
     std::atomic<GeomLeaves*> leaves{nullptr};  // of the mesh met last, see geom_leaves.h
     void* recorder = nullptr;                  // the history that has it last recorded (state/history.h)
+    std::uint64_t disturbed = 0;               // the last disturbance that it had, see note_disturbed()
     std::uint64_t shape_hash = 0;              // see describe.h
     std::uint32_t hashed_changes = ~0u;        // changes_of() then
     alignas(32) Real own_rotation[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
@@ -171,6 +176,8 @@ inline const Aabb& box_of(Geom& geom)
 // more.
 void mark_moved(Geom& geom);
 void mark_stepped(Geom& geom);  // moved by a step, which disturbs nothing at rest
+// The program has set the pose, as some do every frame whether it is another one or not.
+inline void mark_placed(Geom& geom, bool elsewhere) { elsewhere ? mark_moved(geom) : mark_stepped(geom); }
 void mark_changed(Geom& geom);
 
 // Whether steps look at the geom's whole way, and whether there is any geom of which they do.

@@ -5,12 +5,15 @@
 #include "collide/space.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "base/objects/structure_edition.h"
 #include "base/prefetch.h"
 
 namespace epode {
 namespace {
+
+std::atomic<std::uint64_t> g_disturbances{0};  // of the process, so far
 
 // Closes the gaps; false when memory is exhausted (nothing has changed then).
 bool compact(Space& space)
@@ -123,7 +126,7 @@ void remove_geom(Space& space, Geom& geom)
     note_structure_changed();
     space.broadphase.remove(geom.slot);
     note_disturbed(space, geom);
-    geom.at_rest = false;
+    geom.watched = 0;
     ++space.edition;
     geom.space = nullptr;
     geom.slot = -1;
@@ -173,10 +176,16 @@ bool nesting_fits(const Space& space, const Space& inner)
     return above + height(inner) <= kMostNested;
 }
 
-void note_disturbed(Space& space, const Geom& geom)
+// Spaces are not watched: their members are.
+void note_disturbed(Space& space, Geom& geom)
 {
-    if (geom.at_rest) space.disturbances.note(geom);
+    if (!geom.watched && !is_space(geom)) return;
+    geom.disturbed = next_disturbance();
+    for (Space* above = &space; above; above = above->space) above->last_disturbed = geom.disturbed;
+    if (geom.watched & kRestingPairs) space.disturbances.note(geom);
 }
+
+std::uint64_t next_disturbance() { return g_disturbances.fetch_add(1, std::memory_order_relaxed) + 1; }
 
 void enqueue(Space& space, Geom& geom)
 {

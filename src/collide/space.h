@@ -20,7 +20,8 @@ namespace epode {
 
 inline constexpr int kMostNested = 100;  // spaces in spaces, transforms in transforms
 
-// Members at rest (Geom::at_rest) that have moved or left, or whose rules have changed: the last few of them.
+// Members with pairs at rest (kRestingPairs) that have moved or left, or whose rules have changed: the last
+// few of them.
 class Disturbances {
   public:
     static constexpr int kKept = 256;
@@ -56,7 +57,8 @@ struct Space : Geom {
     bool cleanup = true;        // destroys its members with itself
     std::uint64_t edition = 0;  // another one when something has happened that may change its pairs
     Disturbances disturbances;
-    const void* keeper = nullptr;  // the only one who keeps pairs at rest; null: nobody
+    std::uint64_t last_disturbed = 0;  // of all members, at any depth: the greatest Geom::disturbed
+    const void* keeper = nullptr;      // the only one who keeps pairs at rest; null: nobody
     int min_level = -3, max_level = 10;
 };
 
@@ -96,8 +98,11 @@ bool nesting_fits(const Space& space, const Space& inner);  // functions that wa
 
 // ---- boxes ----
 void enqueue(Space& space, Geom& geom);  // the member has moved
-// Something has happened to the member: if it rests, the next step looks at its pairs again.
-void note_disturbed(Space& space, const Geom& geom);
+// Something other than a step has happened to the member: if its pairs rest, the next step looks at them
+// again, and what sleeps on it wakes. Disturbances have numbers in the order in which they happen,
+// of which other events take one, too.
+void note_disturbed(Space& space, Geom& geom);
+std::uint64_t next_disturbance();
 // After many members have moved, any worker may mark a member that stands alone (false if it does not)
 // without listing it. note_geoms_marked() must follow.
 inline bool mark_geom(Geom& geom, const Space& space);

@@ -61,7 +61,8 @@ void prefetch_poses(const ContactPair& pair)
 
 bool ContactWorld::is_settled(const Space& in) const
 {
-    return settled_ && !unfinished_ && edition_ == in.edition && is_clean(in) && in.helped == 0;
+    return settled_ && !unfinished_ && !any_unsupported_ && edition_ == in.edition && is_clean(in) &&
+           in.helped == 0;
 }
 
 void ContactWorld::accept_settled(Real h)
@@ -83,6 +84,7 @@ bool ContactWorld::update(const World& world, Space& in, Real h, const Tasks& ta
     all_asleep_ = true;
     edition_ = in.edition;
     disturbances_ = in.disturbances.count();
+    disturbance_ = next_disturbance();
     few_active_ = leaves_at_rest(in, {world.bodies.active_count(), world.bodies.count()});
     unfinished_ = true;
     const SpeculativeMotion soon{h, world.gravity};
@@ -110,8 +112,7 @@ bool ContactWorld::expect_few(const World& world, Space& in, const SpeculativeMo
     in.keeper = this;
     if (!active_.gather(world, in, seen_disturbances_)) return false;
     expect_motion(in, soon, active_);
-    for (std::uint64_t i = seen_disturbances_; i < disturbances_; ++i)
-        if (!resting_.take(in.disturbances[i].serial, last_)) return false;
+    if (!take_disturbed(in)) return false;
     for (const int slot : active_.slots())
         if (!bring(*in.geoms[slot])) return false;
     return true;
@@ -119,8 +120,8 @@ bool ContactWorld::expect_few(const World& world, Space& in, const SpeculativeMo
 
 bool ContactWorld::bring(Geom& geom)
 {
-    if (!geom.at_rest) return true;
-    geom.at_rest = false;
+    if (!(geom.watched & kRestingPairs)) return true;
+    geom.watched &= std::uint8_t(~kRestingPairs);
     return resting_.take(geom.serial, last_);
 }
 
@@ -263,6 +264,7 @@ void ContactWorld::update_one(ContactPair& pair, int place, const NarrowSettings
     pair.touched = touches(old);
     if (all_asleep_.load(std::memory_order_relaxed)) all_asleep_.store(false, std::memory_order_relaxed);
     if (pair.wanted && !pair.tied) update_pair(pair, old, settings, fresh_.manifolds.data() + place, leaves);
+    if (pair.count > 0) watch(pair, kTouch);
 }
 
 // Those of the step before.
@@ -275,6 +277,7 @@ void ContactWorld::keep_manifolds(ContactPair& pair, int place)
     CachedManifold* const to = fresh_.manifolds.data() + place;
     std::copy(old.begin(), old.end(), to);
     for (std::size_t i = 0; i < old.size(); ++i) place_again(pair, to[i]);
+    if (pair.count > 0) watch(pair, kTouch);
 }
 
 // What the pair kept in the step before, or nothing yet.
@@ -357,6 +360,8 @@ void ContactWorld::accept(Real h, const Tasks& tasks)
     h_ = h;
     settled_ = all_asleep_;
     seen_disturbances_ = disturbances_;
+    seen_disturbance_ = disturbance_;
+    any_unsupported_ = false;
     unfinished_ = false;
 }
 
@@ -365,7 +370,7 @@ void ContactWorld::lay_to_rest()
     const auto is_idle = [](const Body* body) { return !body || !is_active(*body); };
     const bool complete = resting_.put(last_, [&](const ContactPair& pair) {
         if (!is_idle(pair.body1) || !is_idle(pair.body2)) return false;
-        from_handle<Geom>(pair.id1)->at_rest = from_handle<Geom>(pair.id2)->at_rest = true;
+        watch(pair, kRestingPairs);
         return true;
     });
     if (!complete) unfinished_ = true;  // so that the next update looks everywhere
@@ -377,7 +382,7 @@ void ContactWorld::forget()
     last_.clear();
     resting_.clear();
     ended_.clear();
-    settled_ = unfinished_ = few_active_ = false;
+    settled_ = unfinished_ = any_unsupported_ = few_active_ = false;
 }
 
 const char* ContactWorld::fault() const

@@ -30,8 +30,14 @@
 
 namespace epode {
 
-// In states: the geom has pairs at rest; something has happened to it since the last step.
-enum GeomRest : std::uint8_t { kGeomDisturbed = 2, kGeomAtRest = 8 };
+// In states: the geom has pairs at rest; something has happened to it since the last step, or to what its body
+// touches; the program has disabled its body since then.
+enum GeomRest : std::uint8_t {
+    kGeomDisturbed = 2,
+    kGeomAtRest = 8,
+    kGeomUnsupported = 16,
+    kGeomPutDown = 32
+};
 
 struct ActiveBodies {
     int count, all;
@@ -57,6 +63,9 @@ class ContactWorld {
     // Null: there is none, or it has been destroyed.
     Space* live_space() const { return space ? space_from(space) : nullptr; }
 
+    // Before update(): the bodies that sleep on something that has been disturbed since the last step
+    // (contacts/support.cpp). They are to be awake then. False: out of memory.
+    [[nodiscard]] bool find_unsupported(const World& world, const Space& in, Array<Body*>& out);
     // Would update() look at active bodies alone? If not, all have to be active before.
     bool leaves_at_rest(const Space& in, ActiveBodies active) const;
     // Pairs and manifolds at the bodies' present poses. False: out of memory.
@@ -90,7 +99,7 @@ class ContactWorld {
     // `rest`: as mark_rest() has found when the state was saved.
     void accept(Loaded& loaded, const SpaceGeoms& geoms, std::span<const std::uint8_t> rest);
     // GeomRest of each geom, as bits.
-    void mark_rest(const SpaceGeoms& geoms, std::span<std::uint8_t> by_number) const;
+    void mark_rest(const World& world, const SpaceGeoms& geoms, std::span<std::uint8_t> by_number) const;
     // What is broken between two steps, in words; null: nothing.
     const char* fault() const;
 
@@ -136,6 +145,7 @@ class ContactWorld {
     static bool save_ended(const dContactEvent& event, const SpaceGeoms& geoms, StateStream& stream);
     [[nodiscard]] bool load_pair(const World& world, StateStream& stream, std::uint32_t& used, Loaded& out);
     void put_to_rest(const Loaded& loaded, Space& in);
+    [[nodiscard]] bool take_disturbed(const Space& in);
     [[nodiscard]] bool expect_all(Space& in, const SpeculativeMotion& soon, const Tasks& tasks);
     [[nodiscard]] bool expect_few(const World& world, Space& in, const SpeculativeMotion& soon);
     [[nodiscard]] bool bring(Geom& geom);
@@ -173,6 +183,8 @@ class ContactWorld {
     bool unfinished_ = false;                                 // an update that nobody has accepted yet
     bool few_active_ = false;                                 // so it was in the last update
     std::uint64_t seen_disturbances_ = 0, disturbances_ = 0;  // of the space, by the last step and this one
+    std::uint64_t seen_disturbance_ = 0, disturbance_ = 0;    // the newest of any geom, likewise
+    bool any_unsupported_ = false;         // in the state that has been loaded since: geoms have kUnsupported
     std::atomic<bool> all_asleep_{false};  // no pair that the last update has found has an awake body
     bool settled_ = false;                 // so it was in the last step that was made
     std::uint64_t edition_ = 0;            // of the space, then

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "base/memory.h"
+#include "collide/space.h"
 
 namespace epode {
 namespace {
@@ -78,6 +80,15 @@ void take_defaults(ContactManifold& manifold)
     manifold.surface_velocity = {};
 }
 
+bool same(const dMaterial& a, const dMaterial& b)
+{
+    const auto fields = [](const dMaterial& m) {
+        return std::tie(m.friction, m.bounce, m.bounce_speed, m.rolling_friction, m.compliance,
+                        m.damping_time, m.friction_rule, m.bounce_rule, m.rolling_friction_rule);
+    };
+    return fields(a) == fields(b) && load(a.surface_velocity) == load(b.surface_velocity);
+}
+
 }  // namespace
 
 bool usable_material(const dMaterial& m)
@@ -92,6 +103,8 @@ bool usable_material(const dMaterial& m)
 
 bool set_material(Geom& geom, const dMaterial* material)
 {
+    const dMaterial& wanted = material ? *material : kDefaultMaterial;
+    if (!same(wanted, material_of(geom))) note_rules_changed(geom);
     if (!material) {
         drop_material(geom);
         return true;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 
 #include "collide/solid_type.h"
 #include "contacts/contact_pair.h"
@@ -42,6 +43,16 @@ inline bool on_mesh(const GeomPair& pair)
 inline int max_manifolds(const GeomPair& pair)
 {
     return is_surface(*pair.a) || is_surface(*pair.b) ? kSurfaceManifolds : 1;
+}
+
+// By any worker of an update.
+inline void watch(const ContactPair& pair, WatchedFor why)
+{
+    for (const dGeomID id : {pair.id1, pair.id2}) {
+        const std::atomic_ref<std::uint8_t> watched(from_handle<Geom>(id)->watched);
+        if (!(watched.load(std::memory_order_relaxed) & why))
+            watched.fetch_or(why, std::memory_order_relaxed);
+    }
 }
 
 inline SlotPair slots_of(const ContactPair& pair)

@@ -160,4 +160,20 @@ void wake(Body& body)
     body.short_window.still = body.long_window.still = false;
 }
 
+bool is_sleeper(const Body& body)
+{
+    return body.disabled && body.auto_disable && body.world->wakes_sleepers();
+}
+
+void wake_sleeper(Body& body)
+{
+    if (is_sleeper(body)) wake(body);
+}
+
+void wake_if_driven(Body& body)
+{
+    if (!body.kinematic()) return;
+    if (body.velocity() != Vec3() || body.angular_velocity() != Vec3()) wake_sleeper(body);
+}
+
 }  // namespace epode

@@ -109,6 +109,7 @@ struct Body : Numbered {
     Stillness short_window, long_window;  // dynamics/sleep
     Real settling_time = 0;  // that its island has been settling without falling asleep (dynamics/settle)
     std::uint64_t mass_hash = 0;  // tells `mass` from others
+    std::uint64_t put_down = 0;   // when the program has disabled it: a number as of disturbances
 
     Pose pose() const { return load_pose(pos, R); }
     Vec3 position() const { return load(pos); }
@@ -141,5 +142,10 @@ void watch(Body& body, bool on);                           // sets `auto_disable
 [[nodiscard]] bool set_sleep_samples(Body& body, int samples);
 void enable(Body& body);  // clears `disabled`
 void wake(Body& body);    // and reloads the idle counters
+// May it have fallen asleep, in a world that wakes sleepers? Then this wakes it, because something has happened
+// to what it rests on, hangs from or is moved by.
+bool is_sleeper(const Body& body);
+void wake_sleeper(Body& body);
+void wake_if_driven(Body& body);  // a kinematic one that has been given a velocity
 
 }  // namespace epode

@@ -55,10 +55,18 @@ void note_tie(Joint& joint)
 
 }  // namespace
 
+void wake_sleepers(Joint& joint)
+{
+    if (is_coupling(joint)) return for_each_body(coupling_of(joint), wake_sleeper);
+    for (const JointNode& node : joint.node)
+        if (node.body) wake_sleeper(*node.body);
+}
+
 void detach(Joint& joint)
 {
     const bool contact = is_contact(joint);
     note_tie(joint);
+    if (!contact) wake_sleepers(joint);
     leave(joint.node[0], contact);
     leave(joint.node[1], contact);
     joint.impulse_rows = 0;

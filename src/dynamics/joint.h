@@ -113,6 +113,7 @@ struct HandleOf<Joint> {
 };
 
 void detach(Joint& joint);                                            // leaves both body lists
+void wake_sleepers(Joint& joint);                                     // of its bodies
 void attach(Joint& joint, Body* a, Body* b);                          // arguments already checked
 [[nodiscard]] bool link_into_world(Joint& joint, JointGroup* group);  // false: no memory, nothing done
 void unlink_from_world(Joint& joint);  // `world` becomes null; a group may still keep the joint

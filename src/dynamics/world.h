@@ -61,6 +61,11 @@ struct World : Tagged {
 
     int behaviour = dBehaviour1;  // a dBehaviour
     bool acts_as_ode() const { return behaviour < dBehaviour1; }
+    bool manages_contacts = false;    // has been given a contact space
+    std::uint64_t last_put_down = 0;  // the greatest Body::put_down
+    // Steps that find contacts know what lies on what, and what sleeps wakes when its support changes. With
+    // contact joints the program knows, and ODE leaves it to the program.
+    bool wakes_sleepers() const { return manages_contacts && !acts_as_ode(); }
 
     // Seeds of new bodies.
     bool auto_disable = false;

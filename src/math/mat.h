@@ -16,6 +16,10 @@ struct Mat3 {
     constexpr Vec3 row(int i) const { return i == 0 ? row0 : i == 1 ? row1 : row2; }
 };
 
+constexpr bool operator==(const Mat3& a, const Mat3& b)
+{
+    return a.row0 == b.row0 && a.row1 == b.row1 && a.row2 == b.row2;
+}
 constexpr Mat3 from_columns(Vec3 a, Vec3 b, Vec3 c)
 {
     return {{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}};

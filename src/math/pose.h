@@ -22,6 +22,7 @@ struct Quat {
     constexpr Vec3 vec() const { return {x, y, z}; }
 };
 
+constexpr bool operator==(Quat a, Quat b) { return a.w == b.w && a.vec() == b.vec(); }
 inline Quat load_quat(const Real* p) { return {p[0], p[1], p[2], p[3]}; }
 inline void store_quat(Real* p, Quat q) { p[0] = q.w, p[1] = q.x, p[2] = q.y, p[3] = q.z; }
 

@@ -160,6 +160,8 @@ const char* History::roll_back(int frames)
         wrong = state_.set(target.state.data, target.state.size, Seal::kUnsealed);
     if (wrong) {
         arrangement.apply(*target.topology, now, newest_);
+        for (const Topology::GeomRecord& r : now.geoms)  // nothing has happened to them
+            r.geom.object->watched = r.watched, r.geom.object->disturbed = r.disturbed;
         return wrong;
     }
     while (newest_ > number) {

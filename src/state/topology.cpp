@@ -64,6 +64,8 @@ bool Topology::record_geom(Geom& geom)
                  .number = geom.type->number,
                  .on_body = geom.body.id != nullptr,
                  .has_offset = geom.offset != nullptr,
+                 .watched = geom.watched,
+                 .disturbed = geom.disturbed,
                  .offset = {}};
     if (geom.offset) {
         r.offset = *geom.offset;

@@ -67,6 +67,8 @@ struct Topology {
         std::uint64_t shape;
         int number;  // of its class: when it may be told the geom may be gone
         bool on_body, has_offset;
+        std::uint8_t watched;
+        std::uint64_t disturbed;
         GeomOffset offset;  // of a geom without a body: where it is
     };
     struct SpaceRecord {

@@ -18,7 +18,11 @@ namespace {
 constexpr int kAhead = 4;
 constexpr std::uint32_t kSeeded = 1;  // of the flags: the seed of dRand follows
 
-enum GeomBit : std::uint8_t { kEnabled = 1, kPose = 4, kRest = kGeomDisturbed | kGeomAtRest };
+enum GeomBit : std::uint8_t {
+    kEnabled = 1,
+    kPose = 4,
+    kRest = kGeomDisturbed | kGeomAtRest | kGeomUnsupported | kGeomPutDown
+};
 static_assert((kRest & (kEnabled | kPose)) == 0);
 
 // A geom without a body stays where the program has placed it.
@@ -149,7 +153,7 @@ void WorldState::save_objects(StateStream& stream)
         state(joint, joint_bits_.data()[i], stream);
     }
     std::fill(geom_bits_.begin(), geom_bits_.end(), std::uint8_t(0));
-    kept_->world_contacts.mark_rest(geoms_, geom_bits_.span());
+    kept_->world_contacts.mark_rest(world_, geoms_, geom_bits_.span());
     for (int i = 0; i < geoms_.count(); ++i) {
         Geom& geom = geoms_[i];
         std::uint8_t& bits = geom_bits_.data()[i];

@@ -154,6 +154,7 @@ void WorldStructure::visit_contacts()
     StepState* const kept = step_state(*world_);
     if (!stream_.demand(kept, kOutOfMemory)) return;
     kept->world_contacts.space = space ? id_of(static_cast<Space*>(space)) : nullptr;
+    world_->manages_contacts = space != nullptr;
     kept->world_contacts.filter = filter, kept->world_contacts.filter_data = data;
 }
 

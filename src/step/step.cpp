@@ -99,11 +99,12 @@ class WorldStep {
         World& world = context_.world;
         Arena& arena = memory_.arena(0);
         updates_contacts_ = context_.manages_contacts && !is_settled();
+        if (!find_unsupported()) return false;
         const ActiveBodies active{world.bodies.active_count(), world.bodies.count()};
         if (updates_contacts_ &&
             !state_.world_contacts.leaves_at_rest(*state_.world_contacts.live_space(), active))
             activate_all(world);
-        if (!undo_.save_idleness(arena) || !find_contacts() || !find_islands(arena) ||
+        if (!undo_.save_idleness(state_.unsupported.span(), arena) || !find_contacts() || !find_islands(arena) ||
             !undo_.save_islands(islands_, arena))
             return false;
         if (chooses() && !choose_solvers(arena)) return false;
@@ -187,7 +188,7 @@ class WorldStep {
         undo_.restore();
         finish_.take_back();
         if (continuous_.marked())
-            for (Body* body : undo_.bodies()) body_moved(*body);
+            for (Body* body : undo_.bodies()) body_stepped(*body);
         --context_.world.step_count;
     }
 
@@ -197,6 +198,14 @@ class WorldStep {
     {
         return context_.world.bodies.active_count() == 0 &&
                state_.world_contacts.is_settled(*state_.world_contacts.live_space());
+    }
+
+    bool find_unsupported()
+    {
+        state_.unsupported.clear();
+        ContactWorld& contacts = state_.world_contacts;
+        return !updates_contacts_ ||
+               contacts.find_unsupported(context_.world, *contacts.live_space(), state_.unsupported);
     }
 
     bool find_contacts()

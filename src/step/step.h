@@ -39,6 +39,7 @@ struct StepState {
     SymbolicCache symbolic_cache;
     ContinuousLists continuous;
     ContactWorld world_contacts;  // world-managed contacts
+    Array<Body*> unsupported;     // bodies that the present step has woken
     WorldEvents events;
     Array<dIslandStepReport> reports;  // of the last step's islands, when they were wanted
     Array<dEnergyLedger> ledgers;      // likewise

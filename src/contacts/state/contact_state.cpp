@@ -17,6 +17,7 @@
 #include "contacts/pair_rules.h"
 #include "contacts/state/contact_format.h"
 #include "contacts/state/contact_state.h"
+#include "contacts/support.h"
 
 namespace epode {
 namespace {
@@ -260,15 +261,27 @@ void ContactWorld::accept(Loaded& loaded, const SpaceGeoms& geoms, std::span<con
     if (!in->keeper || in->keeper == this)
         for (int i = 0; i < geoms.count(); ++i) {
             if (geoms[i].space != in) continue;
-            geoms[i].at_rest = rest[std::size_t(i)] & kGeomAtRest;
-            if (geoms[i].at_rest) in->keeper = this;
+            const bool rests = rest[std::size_t(i)] & kGeomAtRest;
+            geoms[i].watched = rests ? kRestingPairs : 0;
+            if (rests) in->keeper = this;
         }
     if (loaded.any_rests) put_to_rest(loaded, *in);
     if (settled_) clean(*in);  // as the step that found it settled has left the space
     edition_ = in->edition;
     seen_disturbances_ = in->disturbances.count();
-    for (int i = 0; i < geoms.count(); ++i)
-        if (rest[std::size_t(i)] & kGeomDisturbed && geoms[i].space == in) in->disturbances.note(geoms[i]);
+    seen_disturbance_ = next_disturbance();
+    any_unsupported_ = false;
+    for (int i = 0; i < geoms.count(); ++i) {
+        const std::uint8_t bits = rest[std::size_t(i)];
+        geoms[i].watched &= std::uint8_t(~kUnsupported);
+        if (bits & kGeomDisturbed && geoms[i].space == in) in->disturbances.note(geoms[i]);
+        if (bits & kGeomUnsupported) geoms[i].watched |= kUnsupported, any_unsupported_ = true;
+        if (Body* const body = bits & kGeomPutDown ? body_of(geoms[i]) : nullptr)
+            body->put_down = body->world->last_put_down = next_disturbance();
+    }
+    for_each_pair([](const ContactPair& pair, std::span<const CachedManifold> manifolds) {
+        if (!manifolds.empty()) watch(pair, kTouch);
+    });
 }
 
 // Where another world keeps pairs of the space at rest, or memory is exhausted, the next step looks
@@ -283,19 +296,35 @@ void ContactWorld::put_to_rest(const Loaded& loaded, Space& in)
     int next = 0;
     const bool complete = resting_.put(last_, [&](const ContactPair& pair) {
         if (!loaded.rests[next++]) return false;
-        from_handle<Geom>(pair.id1)->at_rest = from_handle<Geom>(pair.id2)->at_rest = true;
+        watch(pair, kRestingPairs);
         return true;
     });
     if (!complete) unfinished_ = true;
 }
 
-void ContactWorld::mark_rest(const SpaceGeoms& geoms, std::span<std::uint8_t> by_number) const
+void ContactWorld::mark_rest(const World& world, const SpaceGeoms& geoms,
+                             std::span<std::uint8_t> by_number) const
 {
     const Space* in = live_space();
     if (!in) return;
     if (!in->keeper || in->keeper == this)
         for (int i = 0; i < geoms.count(); ++i)
-            if (geoms[i].at_rest && geoms[i].space == in) by_number[std::size_t(i)] |= kGeomAtRest;
+            if (geoms[i].watched & kRestingPairs && geoms[i].space == in)
+                by_number[std::size_t(i)] |= kGeomAtRest;
+    const auto mark_unsupported = [&](const Geom& geom) {
+        if (const int number = geoms.find(geom); number >= 0)
+            by_number[std::size_t(number)] |= kGeomUnsupported;
+    };
+    for (int i = 0; any_unsupported_ && i < geoms.count(); ++i)
+        if (geoms[i].watched & kUnsupported) mark_unsupported(geoms[i]);
+    if (in->last_disturbed > seen_disturbance_)
+        for_each_pair([&](const ContactPair& pair, std::span<const CachedManifold> manifolds) {
+            visit_unsupported(pair, manifolds, *in, seen_disturbance_, mark_unsupported);
+        });
+    if (world.last_put_down > seen_disturbance_)
+        for (int i = 0; i < geoms.count(); ++i)
+            if (const Body* body = body_of(geoms[i]); body && body->put_down > seen_disturbance_)
+                by_number[std::size_t(i)] |= kGeomPutDown;
     if (!in->disturbances.knows_since(seen_disturbances_)) return;
     for (std::uint64_t i = seen_disturbances_; i < in->disturbances.count(); ++i) {
         const auto& [id, serial] = in->disturbances[i];

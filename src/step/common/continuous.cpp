@@ -94,7 +94,7 @@ bool Continuous::look_at_bodies()
     marked_ = true;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         bodies[i]->island_index = int(i);
-        body_moved(*bodies[i]);
+        body_stepped(*bodies[i]);
         states_[i] = state_of(i);
     }
     return true;

@@ -12,6 +12,11 @@ namespace {
 
 Geom* first_geom(const Body& body) { return from_handle<Geom>(body.first_geom); }
 
+void mark_body_placed(Body& body, bool elsewhere)
+{
+    for_each_geom(body, [&](Geom& geom) { mark_placed(geom, elsewhere); });
+}
+
 Vec3 offset_position(const Geom& geom) { return geom.offset ? load(geom.offset->position) : Vec3{}; }
 
 }  // namespace
@@ -37,6 +42,21 @@ void body_stepped(Body& body)
     for_each_geom(body, [](Geom& geom) { mark_stepped(geom); });
 }
 
+void place_body(Body& body, Vec3 position)
+{
+    const bool elsewhere = position != body.position();
+    store(body.pos, position);
+    mark_body_placed(body, elsewhere);
+}
+
+void orient_body(Body& body, Quat q, const Mat3& R)
+{
+    const bool turned = q != body.orientation();
+    store_quat(body.q, q);
+    store_mat(body.R, R);
+    mark_body_placed(body, turned);
+}
+
 bool mark_members(Body& body, const Space& space)
 {
     bool all = true;
@@ -51,6 +71,12 @@ bool list_members(const Body& body, Space& space)
         if (geom.space == &space && geom.queued) has_memory = space.queue.push(geom.slot) && has_memory;
     });
     return has_memory;
+}
+
+void disable(Body& body)
+{
+    body.disabled = true;
+    body.put_down = body.world->last_put_down = next_disturbance();
 }
 
 void release_geoms(Body& body)
@@ -71,29 +97,24 @@ bool in_locked_space(const Body& body)
 void set_geom_position(Geom& geom, Vec3 position)
 {
     if (Body* body = body_of(geom)) {
-        store(body->pos, position - body->rotation() * offset_position(geom));
-        body_moved(*body);
+        place_body(*body, position - body->rotation() * offset_position(geom));
     } else {
+        const bool elsewhere = position != load(geom.own_position);
         store(geom.own_position, position);
-        mark_moved(geom);
+        mark_placed(geom, elsewhere);
     }
 }
 
 bool set_geom_rotation(Geom& geom, const Mat3& R)
 {
     Body* body = body_of(geom);
-    if (!body) {
-        store_mat(geom.own_rotation, R);
-        mark_moved(geom);
-        return true;
-    }
+    if (!body) return set_geom_pose(geom, {load(geom.own_position), R});
     Mat3 target = geom.offset ? R * transpose(load_mat(geom.offset->rotation)) : R;
     if (!orthonormalize(target)) return false;
     const Vec3 position = pose_of(geom).p;
     Quat q = to_quat(target);
     normalize(q);
-    store_quat(body->q, q);
-    store_mat(body->R, target);
+    orient_body(*body, q, target);
     set_geom_position(geom, position);
     return true;
 }
@@ -105,9 +126,10 @@ bool set_geom_pose(Geom& geom, const Pose& pose)
         set_geom_position(geom, pose.p);
         return true;
     }
+    const bool elsewhere = pose.p != load(geom.own_position) || pose.R != load_mat(geom.own_rotation);
     store(geom.own_position, pose.p);
     store_mat(geom.own_rotation, pose.R);
-    mark_moved(geom);
+    mark_placed(geom, elsewhere);
     return true;
 }
 
@@ -116,8 +138,7 @@ bool set_geom_orientation(Geom& geom, Quat q)
 {
     Body* body = body_of(geom);
     if (!body || geom.offset) return set_geom_rotation(geom, to_matrix(q));
-    set_orientation(*body, q);
-    body_moved(*body);
+    orient_body(*body, q, to_matrix(q));
     return true;
 }
 

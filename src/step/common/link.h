@@ -29,6 +29,9 @@ void for_each_geom(const Body& body, Visit&& visit)
 void body_moved(Body& body);
 // The same by a step.
 void body_stepped(Body& body);
+// The program sets the pose; the matrix is that of q.
+void place_body(Body& body, Vec3 position);
+void orient_body(Body& body, Quat q, const Mat3& R);
 // And by any worker, for a body whose geoms are all members of the space, in their own right; false if
 // they are not. When all bodies have been told of, note_geoms_marked() must follow.
 bool mark_members(Body& body, const Space& space);
@@ -37,6 +40,9 @@ bool mark_members(Body& body, const Space& space);
 [[nodiscard]] bool list_members(const Body& body, Space& space);
 // body_moved() is about to be called.
 inline void prefetch_geoms(const Body& body) { prefetch<2>(body.first_geom); }
+
+// The program disables it: what happens to its support before the next step does not wake it.
+void disable(Body& body);
 
 // The body is about to go: its geoms stay where they are.
 void release_geoms(Body& body);

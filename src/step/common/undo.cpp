@@ -28,27 +28,32 @@ std::span<T> joined(std::span<T> first, std::span<T> last)
 
 }  // namespace
 
-bool StepUndo::save_idleness(Arena& arena)
+bool StepUndo::save_idleness(std::span<Body* const> unsupported, Arena& arena)
 {
     if (!world_.watches_bodies) return true;
     // The program may make more bodies while it is asked for memory.
     const int places = world_.bodies.places();
-    const auto idleness = arena.take<Idleness>(world_.bodies.active_count());
+    const auto idleness = arena.take<Idleness>(world_.bodies.active_count() + int(unsupported.size()));
     if (arena.failed()) return false;
     std::size_t count = 0;
     world_.bodies.for_each_active_before(places, [&](Body& b) {
-        if (!b.auto_disable || b.disabled) return;
-        Idleness& to = idleness[count++];
-        to.body = &b;
-        copy(to.lvel, b.lvel), copy(to.avel, b.avel);
-        to.spin_excess = b.spin_excess;
-        to.short_window = b.short_window, to.long_window = b.long_window;
-        to.settling_time = b.settling_time;
-        to.time_left = b.idle_time_left, to.steps_left = b.idle_steps_left;
-        to.next_sample = b.sample_next, to.samples_ready = b.samples_ready;
+        if (b.auto_disable && !b.disabled) take_idleness(b, idleness[count++]);
     });
+    for (Body* body : unsupported) take_idleness(*body, idleness[count++]);
+    for (Body* body : unsupported) wake(*body);
     idleness_ = idleness.first(count);
     return true;
+}
+
+void StepUndo::take_idleness(Body& b, Idleness& to)
+{
+    to.body = &b;
+    copy(to.lvel, b.lvel), copy(to.avel, b.avel);
+    to.spin_excess = b.spin_excess;
+    to.short_window = b.short_window, to.long_window = b.long_window;
+    to.settling_time = b.settling_time;
+    to.time_left = b.idle_time_left, to.steps_left = b.idle_steps_left;
+    to.next_sample = b.sample_next, to.samples_ready = b.samples_ready, to.slept = b.disabled;
 }
 
 bool StepUndo::save_islands(std::span<const Island> islands, Arena& arena)
@@ -118,7 +123,7 @@ void StepUndo::restore() const
         b.settling_time = from.settling_time;
         b.idle_time_left = from.time_left, b.idle_steps_left = from.steps_left;
         b.sample_next = from.next_sample, b.samples_ready = from.samples_ready;
-        b.disabled = false;
+        b.disabled = from.slept;
     }
 }
 

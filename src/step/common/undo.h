@@ -16,8 +16,8 @@ class StepUndo {
   public:
     explicit StepUndo(World& world) : world_(world) {}
 
-    // Before the search for islands, which finds the idle ones. False: out of memory.
-    [[nodiscard]] bool save_idleness(Arena& arena);
+    // Before the search for islands, which finds the idle ones. Then wakes these. False: out of memory.
+    [[nodiscard]] bool save_idleness(std::span<Body* const> unsupported, Arena& arena);
     // After the search for islands: saves the impulses of their joints and reserves memory for their bodies.
     // Sleeping bodies that an awake one reaches wake up here.
     [[nodiscard]] bool save_islands(std::span<const Island> islands, Arena& arena);
@@ -46,8 +46,9 @@ class StepUndo {
         Real settling_time;
         Real time_left;
         int steps_left, next_sample;
-        bool samples_ready;
+        bool samples_ready, slept;
     };
+    static void take_idleness(Body& body, Idleness& to);
     struct Saved {  // of four lines of the cache
         Vec3 position;
         Quat orientation;
@@ -68,7 +69,7 @@ class StepUndo {
     void restore_impulses() const;
 
     World& world_;
-    std::span<Idleness> idleness_;   // of the awake bodies that watch themselves
+    std::span<Idleness> idleness_;   // of bodies that watch themselves
     std::span<Body* const> bodies_;  // of all islands, one after the other
     std::span<Joint* const> joints_;
     std::span<Saved> saved_;  // of bodies_
