@@ -7,6 +7,7 @@
 
 #include "api/body_handle.h"
 #include "ode/ode.h"
+#include "step/common/link.h"
 #include "step/hybrid.h"
 
 using namespace epode;

@@ -5,6 +5,7 @@
 #include "step/common/link.h"
 
 #include "collide/space.h"
+#include "dynamics/world.h"
 #include "math/rotation.h"
 
 namespace epode {
