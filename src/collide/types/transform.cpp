@@ -96,7 +96,8 @@ void structure(Geom& geom, ShapeStream& stream)
     stream.geom(inner);
     stream.number(transform.cleanup), stream.number(transform.info);
     if (stream.saves() || !inner || stream.failed()) return;
-    const bool fits = inner->type->placeable && !inner->space && line_below(*inner) < kMostNested;
+    const bool fits = inner->type->placeable && !inner->space && !holds(*inner, transform) &&
+                      line_below(*inner) + line_above(transform) <= kMostNested;
     if (stream.demand(fits, "a geom transform in it holds a geom that it cannot hold"))
         set_transform_geom(transform, inner);
 }
