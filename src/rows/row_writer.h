@@ -14,14 +14,16 @@
 namespace epode {
 
 struct StepInfo {
-    Real h = 0;                   // step size, s
-    Real fps = 0;                 // 1/h
-    Real erp = 0;                 // of the world
-    Real cfm = 0;                 // of the world
-    Real contact_layer = 0;       // depth that contacts may keep, m
-    Real touching_depth = 0;      // that contacts of several points keep, beyond rounding, m
-    Real contact_max_vel = kInf;  // limit of a contact's correcting velocity, m/s
-    bool inner = false;           // a pose within a step that has begun: the number of rows must not change
+    Real h = 0;                        // step size, s
+    Real fps = 0;                      // 1/h
+    Real erp = 0;                      // of the world
+    Real cfm = 0;                      // of the world
+    Real contact_layer = 0;            // depth that contacts may keep, m
+    Real touching_depth = 0;           // that contacts of several points keep, beyond rounding, m
+    Real contact_max_vel = kInf;       // limit of a contact's correcting velocity, m/s
+    bool friction_along_slip = false;  // of world-managed contacts: the first direction
+    bool friction_by_point = false;    // it may differ from point to point of a manifold
+    bool inner = false;  // a pose within a step that has begun: the number of rows must not change
 };
 
 // Of a joint's bodies, zero for the world; of a coupling's, in the order of its terms.

@@ -25,10 +25,10 @@ struct Golden {
     std::uint64_t saved, later;
 };
 
-constexpr Golden kGolden[2][8] = {{{0xae312b6e7d9f986d, 0xdec176f3b31e7a5e},
-                                   {0x4d4c05932de0979a, 0x1dcd19bb4aa537a9},
+constexpr Golden kGolden[2][8] = {{{0x29261280a5570601, 0xc8c5fc5ad9bbd44d},
+                                   {0x466bb9aa7ff3f5f7, 0x55e8fad8ce2635e5},
                                    {0x7924e432361e3357, 0x4e42e2d845ba4803},
-                                   {0x180f691b61cebe53, 0xb4984e6e874b2af4},
+                                   {0x239c6ca034d41c05, 0xefd6f78b114bcdbd},
                                    {0xb08a8440b868643a, 0x82fcc666b3ef1054},
                                    {0x394926bfe46a1928, 0xd2f1fafc52c644e0},
                                    {0xc813878c5d14de0d, 0x63e536918b9af4b5},

@@ -198,6 +198,12 @@ Real touching_depth(const World& world, Real h)
     return world.quick_iterations <= kFewSweeps ? kShare * length(world.gravity) * h * h : 0;
 }
 
+// A cone and a manifold's friction have no directions of their own.
+bool bounds_friction_along_slip(const World& world, const Solver& solver)
+{
+    return !world.acts_as_ode() && !world.friction_cone && !(world.manifold_friction && solver.cones);
+}
+
 }  // namespace
 
 StepInfo step_info(const World& world, Real h)
@@ -288,6 +294,8 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
     StepInfo info = step_info(world, h);
     if (solver.settling_factor > 1) info.contact_layer = std::max(info.contact_layer, island.kept_depth);
     info.touching_depth = touching_depth(world, h);  // only sweeps take manifolds
+    info.friction_along_slip = bounds_friction_along_slip(world, solver);
+    info.friction_by_point = !solver.cones;  // sweeps pack what has the same directions
     write_manifolds(work.contacts, info, work.system.joint_contacts);
     emit_rows(info, joints, undo != nullptr, work, rows, blocks);
     work.joints = work.joints.first(std::size_t(blocks));

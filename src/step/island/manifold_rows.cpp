@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "step/island/slip_friction.h"
 #include "tasks/prefetched.h"
 
 namespace epode {
@@ -58,7 +59,7 @@ void write_rolling(RowWriter& out, const ContactManifold& manifold)
 
 // An open contact may close, but no further.
 void write_point(RowWriter& out, const Island& island, const ContactManifold& manifold,
-                 const ManifoldPoint& point)
+                 const ManifoldPoint& point, const Friction& friction)
 {
     out.contact_at(widen(point.r1), widen(point.r2));
     const Vec3 n = widen(manifold.normal);
@@ -77,12 +78,10 @@ void write_point(RowWriter& out, const Island& island, const ContactManifold& ma
         normal.has_restitution = true;
         normal.restitution_velocity = Real(manifold.restitution) * approach;
     }
-    Vec3 t[2];
-    plane_space(n, t[0], t[1]);
-    for (const Vec3& d : t) {
-        Row& row = point_row(out, d, RowKind::kFriction);
-        row.speed = dot(widen(manifold.surface_velocity), d);
-        row.hi = Real(manifold.mu);
+    for (int i = 0; i < 2; ++i) {
+        Row& row = point_row(out, friction.t[i], RowKind::kFriction);
+        row.speed = dot(widen(manifold.surface_velocity), friction.t[i]);
+        row.hi = i == 0 ? Real(manifold.mu) : friction.mu2;
         row.lo = -row.hi;
         row.parent = 0;
     }
@@ -141,9 +140,10 @@ void emit_manifolds(const StepInfo& info, IslandWork& work, int& rows, int& bloc
 {
     for (ManifoldEdge* edge : work.island.manifolds) {
         const ContactManifold& manifold = *edge->manifold;
+        const SlipFriction friction(info, work.island, manifold);
         for (int i = 0; i < manifold.count; ++i) {
             RowWriter out(&work.system.rows[std::size_t(rows)], info);
-            write_point(out, work.island, manifold, manifold.points[i]);
+            write_point(out, work.island, manifold, manifold.points[i], friction.at(manifold.points[i]));
             work.system.blocks[std::size_t(blocks++)] = {rows, out.count(), manifold.body1, manifold.body2,
                                                          true, out.arms(),  out.form()};
             rows += out.count();
