@@ -71,12 +71,26 @@ T* joint_for_number(dJointID id, Real value, const char* caller = __builtin_FUNC
     return joint && demand(usable(value), caller, *joint) ? joint : nullptr;
 }
 
+// change() sets what read() answers. Another value than before wakes the joint's bodies in worlds that wake sleepers.
+template <typename Read, typename Change>
+void change_value(Joint& joint, Read&& read, Change&& change)
+{
+    const Real before = read();
+    change();
+    if (read() != before) wake_sleepers(joint);
+}
+
 // Unknown parameters are ignored in silence and read as zero.
 template <typename T>
 void set_joint_param(dJointID id, int param, Real value, const char* caller = __builtin_FUNCTION())
 {
     T* joint = checked<T>(id, caller);
-    if (joint && demand(usable_param(param, value), caller, *joint)) joint->set_param(param, value);
+    if (!joint || !demand(usable_param(param, value), caller, *joint)) return;
+    const auto read = [&] {
+        Real now = 0;
+        return joint->get_param(param, now) ? now : 0;
+    };
+    change_value(*joint, read, [&] { joint->set_param(param, value); });
 }
 
 template <typename T>

@@ -50,7 +50,12 @@ namespace {
 void set_motor(dJointID id, LimitMotor Plane2D::*motor, int param, Real value, const char* caller)
 {
     Plane2D* j = checked<Plane2D>(id, caller);
-    if (j && demand(usable_param(param, value), caller)) (j->*motor).set(param, value);
+    if (!j || !demand(usable_param(param, value), caller)) return;
+    const auto read = [&] {
+        Real now = 0;
+        return (j->*motor).get(param, now) ? now : 0;
+    };
+    change_value(*j, read, [&] { (j->*motor).set(param, value); });
 }
 
 }  // namespace

@@ -367,6 +367,25 @@ TEST(WakeJoints, ThatGoOrStopActing)
         }
 }
 
+// A motor that is given another speed, as a drive that is given another target; not one that keeps its own.
+TEST(WakeJoints, WhoseMotorsChange)
+{
+    for (const WakeStepper stepper :
+         {WakeStepper::kExact, WakeStepper::kQuick, WakeStepper::kSmall, WakeStepper::kHybrid}) {
+        Table s;
+        dJointSetHingeParam(s.hinge, dParamFMax, 5000);
+        s.put_to_sleep(stepper);
+        dJointSetHingeParam(s.hinge, dParamVel, 0);
+        dJointSetHingeParam(s.hinge, dParamFMax, 5000);
+        s.step(stepper, 3);
+        EXPECT_TRUE(s.sleeps());
+        dJointSetHingeParam(s.hinge, dParamVel, 1);
+        s.step(stepper, 60);
+        EXPECT_NEAR(double(dJointGetHingeAngle(s.hinge)), 1, 0.03);
+        EXPECT_FALSE(dBodyIsEnabled(s.lower));
+    }
+}
+
 // More is disturbed than a space remembers one by one.
 TEST(WakeMany, Supports)
 {
