@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Friction of contacts that the world manages is the same in every direction, in all steppers and without the
+// Friction of world-managed contacts is the same in every direction, in all steppers and without the
 // cone: what slides comes to rest after v^2 / (2 mu g), straight on; what is pushed, or lies on a slope, gives
 // way at mu N; and what slides and spins follows Coulomb's law at each of its four corners, integrated here
 // with steps of 5 us. (With the axes of ODE's contacts a box stopped after 0.81 m instead of 1.15, and
