@@ -104,8 +104,8 @@ class WorldStep {
         if (updates_contacts_ &&
             !state_.world_contacts.leaves_at_rest(*state_.world_contacts.live_space(), active))
             activate_all(world);
-        if (!undo_.save_idleness(state_.unsupported.span(), arena) || !find_contacts() || !find_islands(arena) ||
-            !undo_.save_islands(islands_, arena))
+        if (!undo_.save_idleness(state_.unsupported.span(), arena) || !find_contacts() ||
+            !find_islands(arena) || !undo_.save_islands(islands_, arena))
             return false;
         if (chooses() && !choose_solvers(arena)) return false;
         if (updates_contacts_ && state_.events.list().wants_contacts() &&
