@@ -156,6 +156,11 @@ void wake(Body& body)
     enable(body);
     body.idle_steps_left = body.sleep.steps;
     body.idle_time_left = body.sleep.time;
+    forget_stillness(body);
+}
+
+void forget_stillness(Body& body)
+{
     body.short_window.time = body.long_window.time = body.settling_time = 0;
     body.short_window.still = body.long_window.still = false;
 }

@@ -140,8 +140,9 @@ void set_dynamic(Body& body);
 void watch(Body& body, bool on);                           // sets `auto_disable`, no more
 [[nodiscard]] bool set_auto_disable(Body& body, bool on);  // false: no memory, nothing changed
 [[nodiscard]] bool set_sleep_samples(Body& body, int samples);
-void enable(Body& body);  // clears `disabled`
-void wake(Body& body);    // and reloads the idle counters
+void enable(Body& body);            // clears `disabled`
+void wake(Body& body);              // and reloads the idle counters
+void forget_stillness(Body& body);  // where it has stayed within its windows so far
 // May it have fallen asleep, in a world that wakes sleepers? Then this wakes it, because something has happened
 // to what it rests on, hangs from or is moved by.
 bool is_sleeper(const Body& body);

@@ -25,22 +25,22 @@ struct Golden {
     std::uint64_t saved, later;
 };
 
-constexpr Golden kGolden[2][8] = {{{0x29261280a5570601, 0xc8c5fc5ad9bbd44d},
-                                   {0x466bb9aa7ff3f5f7, 0x55e8fad8ce2635e5},
-                                   {0x7924e432361e3357, 0x4e42e2d845ba4803},
-                                   {0x239c6ca034d41c05, 0xefd6f78b114bcdbd},
-                                   {0xb08a8440b868643a, 0x82fcc666b3ef1054},
-                                   {0x394926bfe46a1928, 0xd2f1fafc52c644e0},
-                                   {0xc813878c5d14de0d, 0x63e536918b9af4b5},
-                                   {0x3bc3ffdcc7710042, 0x55f9ac85dff37357}},
-                                  {{0x65eb63c107c518ad, 0x3fc8aa80a5deb298},
+constexpr Golden kGolden[2][8] = {{{0x2c466a7a05177929, 0xc8c5fc5ad9bbd44d},
+                                   {0xaf83a98290d607ea, 0x9f1c2fb4685f84a3},
+                                   {0x4838424b2d8da957, 0x64b6ebf4c6c7afe7},
+                                   {0x7473811521cf2768, 0xd03cdeb4068a9d3f},
+                                   {0x03215c094e62cee3, 0x0aca38644eaa7680},
+                                   {0x16ff417b919d47eb, 0x11d56172caa90a33},
+                                   {0x5471674c534d7acf, 0x542a2785fc6868b3},
+                                   {0x1941c53d9d403f8c, 0x024e42cc46a7dc3f}},
+                                  {{0x65eb63c107c518ad, 0x2cc754064ede76b1},
                                    {0x24068d7df1f37e1e, 0x103166855b401a50},
-                                   {0xa8940c956becddfd, 0xc8b4ebecd06fc319},
-                                   {0x47db9e32c97297b5, 0xb0986ded33bf930b},
-                                   {0x9d04ac7775c4870e, 0x728e63052d823f35},
-                                   {0x00f26b42465d364d, 0xeee240e2cd838fb2},
-                                   {0x6d614bb4b762f82d, 0x6bfb8a68596f00ac},
-                                   {0x512450bc341d859e, 0x577f5f4833c2a183}}};
+                                   {0xa8814bb78f35e815, 0x34a33599e19e6988},
+                                   {0xd5df1643d8685c84, 0xb970d8be3db92f44},
+                                   {0x9d04ac7775c4870e, 0x03b43bec3a3d2901},
+                                   {0x00f26b42465d364d, 0x37b47ef02ea88e60},
+                                   {0xff650b7095d1f8b5, 0x851c836148000498},
+                                   {0xb7796e46ea23771a, 0x66c916ddafa8413e}}};
 
 class SameBits : public testing::TestWithParam<int> {};
 

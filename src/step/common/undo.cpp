@@ -28,20 +28,34 @@ std::span<T> joined(std::span<T> first, std::span<T> last)
 
 }  // namespace
 
-bool StepUndo::save_idleness(std::span<Body* const> unsupported, Arena& arena)
+bool StepUndo::save_idleness(Arena& arena)
 {
     if (!world_.watches_bodies) return true;
     // The program may make more bodies while it is asked for memory.
     const int places = world_.bodies.places();
-    const auto idleness = arena.take<Idleness>(world_.bodies.active_count() + int(unsupported.size()));
+    const auto idleness = arena.take<Idleness>(world_.bodies.active_count());
     if (arena.failed()) return false;
     std::size_t count = 0;
     world_.bodies.for_each_active_before(places, [&](Body& b) {
         if (b.auto_disable && !b.disabled) take_idleness(b, idleness[count++]);
     });
-    for (Body* body : unsupported) take_idleness(*body, idleness[count++]);
-    for (Body* body : unsupported) wake(*body);
     idleness_ = idleness.first(count);
+    return true;
+}
+
+bool StepUndo::wake(std::span<Body* const> sleepers, Arena& arena)
+{
+    if (!save_sleepers(sleepers, arena)) return false;
+    for (Body* body : sleepers) epode::wake(*body);
+    return true;
+}
+
+bool StepUndo::save_sleepers(std::span<Body* const> sleepers, Arena& arena)
+{
+    const auto idleness = arena.take<Idleness>(int(sleepers.size()));
+    if (arena.failed()) return false;
+    for (std::size_t i = 0; i < sleepers.size(); ++i) take_idleness(*sleepers[i], idleness[i]);
+    woken_[wakings_++] = idleness;
     return true;
 }
 
@@ -64,10 +78,27 @@ bool StepUndo::save_islands(std::span<const Island> islands, Arena& arena)
     marks_ = arena.take_zeroed<Mark>(int(bodies.size()));
     if (arena.failed() || !save_impulses(islands, arena)) return false;
     bodies_ = bodies;  // now there is something to restore
+    int slept = 0;
     for_each_prefetched<1>(bodies_, [&](std::size_t i, Body& body) {
         marks_[i].slept = body.disabled;
-        body.disabled = false;
+        slept += body.disabled;
     });
+    return slept == 0 || wake_reached(slept, arena);
+}
+
+// ODE leaves their counters as they were, and its rule looks at velocities only. By our windows they would be still
+// for some steps more, and fall asleep again in the air.
+bool StepUndo::wake_reached(int count, Arena& arena)
+{
+    const auto sleepers = arena.take<Body*>(count);
+    if (arena.failed()) return false;
+    std::copy_if(bodies_.begin(), bodies_.end(), sleepers.begin(), [](const Body* b) { return b->disabled; });
+    if (world_.wakes_sleepers()) return wake(sleepers, arena);
+    if (!world_.acts_as_ode() && !save_sleepers(sleepers, arena)) return false;
+    for (Body* body : sleepers) {
+        body->disabled = false;
+        if (!world_.acts_as_ode()) forget_stillness(*body);
+    }
     return true;
 }
 
@@ -115,7 +146,13 @@ void StepUndo::restore() const
 {
     restore_bodies();
     restore_impulses();
-    for (const Idleness& from : idleness_) {
+    restore_idleness(idleness_);
+    for (int i = wakings_; i-- > 0;) restore_idleness(woken_[i]);
+}
+
+void StepUndo::restore_idleness(std::span<const Idleness> all)
+{
+    for (const Idleness& from : all) {
         Body& b = *from.body;
         copy(b.lvel, from.lvel), copy(b.avel, from.avel);
         b.spin_excess = from.spin_excess;

@@ -16,8 +16,10 @@ class StepUndo {
   public:
     explicit StepUndo(World& world) : world_(world) {}
 
-    // Before the search for islands, which finds the idle ones. Then wakes these. False: out of memory.
-    [[nodiscard]] bool save_idleness(std::span<Body* const> unsupported, Arena& arena);
+    // Before the search for islands, which finds the idle ones. False: out of memory.
+    [[nodiscard]] bool save_idleness(Arena& arena);
+    // Wakes bodies that slept, before that search. False: out of memory.
+    [[nodiscard]] bool wake(std::span<Body* const> sleepers, Arena& arena);
     // After the search for islands: saves the impulses of their joints and reserves memory for their bodies.
     // Sleeping bodies that an awake one reaches wake up here.
     [[nodiscard]] bool save_islands(std::span<const Island> islands, Arena& arena);
@@ -49,6 +51,7 @@ class StepUndo {
         bool samples_ready, slept;
     };
     static void take_idleness(Body& body, Idleness& to);
+    static void restore_idleness(std::span<const Idleness> from);
     struct Saved {  // of four lines of the cache
         Vec3 position;
         Quat orientation;
@@ -63,13 +66,18 @@ class StepUndo {
         std::uint8_t rows;  // with impulses of the last step
     };
 
+    [[nodiscard]] bool save_sleepers(std::span<Body* const> sleepers, Arena& arena);
+    [[nodiscard]] bool wake_reached(int count, Arena& arena);
     [[nodiscard]] bool save_impulses(std::span<const Island> islands, Arena& arena);
     void restore_bodies() const;
     static void restore_pose(Body& body, const Saved& saved);
     void restore_impulses() const;
 
     World& world_;
-    std::span<Idleness> idleness_;   // of bodies that watch themselves
+    std::span<Idleness> idleness_;  // of the awake bodies that watch themselves
+    // Of bodies that the step has woken: unsupported, separated, reached by islands.
+    std::span<Idleness> woken_[3];
+    int wakings_ = 0;
     std::span<Body* const> bodies_;  // of all islands, one after the other
     std::span<Joint* const> joints_;
     std::span<Saved> saved_;  // of bodies_
