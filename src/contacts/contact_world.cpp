@@ -81,7 +81,7 @@ bool ContactWorld::leaves_at_rest(const Space& in, ActiveBodies active) const
 bool ContactWorld::update(const World& world, Space& in, Real h, const Tasks& tasks)
 {
     settled_ = false;
-    all_asleep_ = true, any_separated_ = false;
+    all_asleep_ = true;
     edition_ = in.edition;
     disturbances_ = in.disturbances.count();
     disturbance_ = next_disturbance();
@@ -264,8 +264,7 @@ void ContactWorld::update_one(ContactPair& pair, int place, const NarrowSettings
     pair.touched = touches(old);
     if (all_asleep_.load(std::memory_order_relaxed)) all_asleep_.store(false, std::memory_order_relaxed);
     if (pair.wanted && !pair.tied) update_pair(pair, old, settings, fresh_.manifolds.data() + place, leaves);
-    if (pair.count > 0) return watch(pair, kTouch);
-    if (pair.touched && pair.body2 && awake(pair.body1) != awake(pair.body2)) any_separated_ = true;
+    if (pair.count > 0) watch(pair, kTouch);
 }
 
 // Those of the step before.

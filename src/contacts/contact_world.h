@@ -76,9 +76,6 @@ class ContactWorld {
     // memory.
     [[nodiscard]] bool bring_pairs(const Body& body, Array<Body*>& reached);
     [[nodiscard]] bool list_brought(const World& world);
-    // After update(): the sleeping bodies of pairs that touched, and do not because the other body, which is awake,
-    // moves away. False: out of memory.
-    [[nodiscard]] bool find_separated(const World& world, Array<Body*>& out) const;
     // The touching manifolds of what has been found, in order.
     [[nodiscard]] bool touching(const Tasks& tasks, Arena& arena, std::span<ManifoldEdge>& out);
     // The step is done: what it found is what the next one starts from. `h`: its length.
@@ -189,9 +186,8 @@ class ContactWorld {
     std::uint64_t seen_disturbance_ = 0, disturbance_ = 0;    // the newest of any geom, likewise
     bool any_unsupported_ = false;         // in the state that has been loaded since: geoms have kUnsupported
     std::atomic<bool> all_asleep_{false};  // no pair that the last update has found has an awake body
-    std::atomic<bool> any_separated_{false};  // a pair that touched does not, and one of its bodies sleeps
-    bool settled_ = false;                    // so it was in the last step that was made
-    std::uint64_t edition_ = 0;               // of the space, then
+    bool settled_ = false;                 // so it was in the last step that was made
+    std::uint64_t edition_ = 0;            // of the space, then
 };
 
 }  // namespace epode

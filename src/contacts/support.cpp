@@ -27,20 +27,6 @@ bool ContactWorld::find_unsupported(const World& world, const Space& in, Array<B
     return complete;
 }
 
-bool ContactWorld::find_separated(const World& world, Array<Body*>& out) const
-{
-    out.clear();
-    if (!any_separated_.load(std::memory_order_relaxed) || !world.wakes_sleepers()) return true;
-    bool complete = true;
-    for (const ContactPair& pair : fresh_.pairs) {
-        if (!pair.touched || pair.count > 0 || !pair.body2 || awake(pair.body1) == awake(pair.body2))
-            continue;
-        Body* const body = awake(pair.body1) ? pair.body2 : pair.body1;
-        if (is_sleeper(*body)) complete = out.push(body) && complete;
-    }
-    return complete;
-}
-
 bool ContactWorld::take_disturbed(const Space& in)
 {
     const Disturbances& all = in.disturbances;

@@ -105,8 +105,7 @@ class WorldStep {
             !state_.world_contacts.leaves_at_rest(*state_.world_contacts.live_space(), active))
             activate_all(world);
         if (!undo_.save_idleness(arena) || !undo_.wake(state_.unsupported.span(), arena) ||
-            !find_contacts() || !wake_separated(arena) || !find_islands(arena) ||
-            !undo_.save_islands(islands_, arena))
+            !find_contacts() || !find_islands(arena) || !undo_.save_islands(islands_, arena))
             return false;
         if (chooses() && !choose_solvers(arena)) return false;
         if (updates_contacts_ && state_.events.list().wants_contacts() &&
@@ -214,18 +213,6 @@ class WorldStep {
         ContactWorld& contacts = state_.world_contacts;
         return !updates_contacts_ ||
                contacts.update(context_.world, *contacts.live_space(), context_.h, workers_.of_islands);
-    }
-
-    // What slept on something that now moves away from it has nothing to reach it by.
-    bool wake_separated(Arena& arena)
-    {
-        if (!updates_contacts_) return true;
-        World& world = context_.world;
-        if (!state_.world_contacts.find_separated(world, state_.unsupported)) return false;
-        world.reached.clear();
-        for (Body* body : state_.unsupported)
-            if (!is_active(*body) && !world.reached.push(body)) return false;
-        return activate_reached() && undo_.wake(state_.unsupported.span(), arena);
     }
 
     // Activates inactive bodies that an active one touches or holds by a joint; then finds the islands again.

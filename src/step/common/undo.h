@@ -75,8 +75,8 @@ class StepUndo {
 
     World& world_;
     std::span<Idleness> idleness_;  // of the awake bodies that watch themselves
-    // Of bodies that the step has woken: unsupported, separated, reached by islands.
-    std::span<Idleness> woken_[3];
+    // Of bodies that the step has woken: unsupported, and reached by islands.
+    std::span<Idleness> woken_[2];
     int wakings_ = 0;
     std::span<Body* const> bodies_;  // of all islands, one after the other
     std::span<Joint* const> joints_;
