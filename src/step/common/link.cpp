@@ -13,11 +13,6 @@ namespace {
 
 Geom* first_geom(const Body& body) { return from_handle<Geom>(body.first_geom); }
 
-void mark_body_placed(Body& body, bool elsewhere)
-{
-    for_each_geom(body, [&](Geom& geom) { mark_placed(geom, elsewhere); });
-}
-
 Vec3 offset_position(const Geom& geom) { return geom.offset ? load(geom.offset->position) : Vec3{}; }
 
 }  // namespace
@@ -47,7 +42,7 @@ void place_body(Body& body, Vec3 position)
 {
     const bool elsewhere = position != body.position();
     store(body.pos, position);
-    mark_body_placed(body, elsewhere);
+    elsewhere ? body_moved(body) : body_stepped(body);
 }
 
 void orient_body(Body& body, Quat q, const Mat3& R)
@@ -55,7 +50,7 @@ void orient_body(Body& body, Quat q, const Mat3& R)
     const bool turned = q != body.orientation();
     store_quat(body.q, q);
     store_mat(body.R, R);
-    mark_body_placed(body, turned);
+    turned ? body_moved(body) : body_stepped(body);
 }
 
 bool mark_members(Body& body, const Space& space)

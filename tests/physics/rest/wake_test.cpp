@@ -389,7 +389,7 @@ TEST(WakeJoints, WhoseMotorsChange)
 }
 
 // A lift that goes up and down, sideways too, and waits until all on it sleep: nobody stays behind. (What an
-// island had reached in its sleep fell asleep again in the air, for it had moved a few millimetres only: 13 of
+// island had reached in its sleep fell asleep again in the air, for it had moved a few millimetres only: 10 of
 // 18 boxes, on the fourth way down.)
 TEST(WakeLift, TakesAllAlong)
 {
@@ -496,6 +496,21 @@ TEST(WakeStates, OfWhatHasJustBeenDisturbed)
             EXPECT_EQ(height_of(s.upper), z) << act.name;
             EXPECT_EQ(dBodyGetPosition(s.upper)[0], x) << act.name;
         }
+}
+
+// Where the program makes the contacts it wakes what it wants awake.
+TEST(WakeNot, InWorldsWithoutAContactSpace)
+{
+    Table s(Support::kKinematic);
+    s.put_to_sleep(WakeStepper::kQuick);
+    dWorldSetContactSpace(s.world, nullptr);
+    dWorldSetGravity(s.world, 0, 0, -5);
+    dBodySetLinearVel(s.table_body, 0, 0, -1);
+    dJointSetHingeParam(s.hinge, dParamVel, 1);
+    dJointDestroy(s.hinge);
+    dGeomDestroy(s.table);
+    s.step(WakeStepper::kQuick, 5);
+    EXPECT_TRUE(s.sleeps());
 }
 
 // With ODE's behaviour a body hangs where it fell asleep.
