@@ -113,11 +113,11 @@ typedef struct dQueryDistance {
     and height fields: docs/guide/queries.md. Refused: equal geoms, one that is destroyed or 0. [ours] */
 ODE_API int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal max_distance, dQueryDistance* result);
 
-/** The geom o moves by motion (m, world, not zero) without turning. It is convex: a sphere, box, capsule,
-    cylinder, convex, ray, or a transform that holds one. What it overlaps at the beginning is hit at
-    distance 0, with the normal that leads out; what it only touches is hit if the motion leads into it.
-    Nothing is passed, however thin. Classes of the program are not met. Returns 1, or 0 if nothing is hit:
-    then hit->geom is 0. Refused: no motion; an o that is not convex.
+/** The geom o moves by motion (m, world, not zero) without turning. It is a convex solid of any class, a
+    ray, or a transform that holds one. What it overlaps at the beginning is hit at distance 0, with the
+    normal that leads out; what it only touches is hit if the motion leads into it. Nothing is passed,
+    however thin. Classes of the program are not met. Returns 1, or 0 if nothing is hit: then hit->geom is
+    0. Refused: no motion; an o that is not convex.
     - dGeomCast: Find where the geom hits one other geom, whatever its bits, and write that to *hit.
       Refused: another geom that is o, destroyed, 0 or a space.
     - dSpaceCast: Find what the geom hits first in the space, other than itself and geoms of its body, and

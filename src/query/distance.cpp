@@ -5,20 +5,12 @@
 #include "query/distance.h"
 
 #include "collide/collide.h"
-#include "collide/surfaces/closed_mesh.h"
 #include "collide/types/registry.h"
 #include "collide/user_class.h"
 #include "query/query_shape.h"
 
 namespace epode {
 namespace {
-
-void to_world(const Pose& frame, Separation& s)
-{
-    s.on_a = frame.to_world(s.on_a);
-    s.on_b = frame.to_world(s.on_b);
-    s.normal = frame.R * s.normal;
-}
 
 // Sets `best` to the triangle of `b` nearest to `a`, if that is nearer. All in the surface's frame.
 void nearest_triangle(const ConvexView& a, int side_a, const TriangleSet& b, Real limit, Separation& best)
@@ -66,21 +58,6 @@ Separation solid_plane(const QueryShape& a, const QueryShape& b)
     s.normal = plane.normal;
     s.on_b = s.on_a - s.distance * plane.normal;
     return s;
-}
-
-// If the middle of the solid is inside a closed mesh: minus the shortest way out.
-bool in_mesh(const QueryShape& a, const QueryShape& b, Separation& out)
-{
-    const Trimesh& mesh = b.as<Trimesh>();
-    if (a.number() == dRayClass || !mesh.is_solid()) return false;
-    Capsule unused;
-    const ConvexView view = in_frame(b.pose, solid_view(a, {}, 0, unused));
-    WayOut way;
-    if (!way_out_of(mesh.mesh()->mesh, mesh.mesh()->tree, view.pose.p, way)) return false;
-    out = separation(view, Plane{way.normal, dot(way.normal, way.nearest)});
-    out.side_b = way.triangle;
-    to_world(b.pose, out);
-    return true;
 }
 
 Separation solid_surface(const QueryShape& a, const QueryShape& b, Real limit)

@@ -7,6 +7,7 @@
 #include "collide/collide.h"
 #include "collide/pairs/pairs.h"
 #include "collide/solid_type.h"
+#include "collide/surfaces/closed_mesh.h"
 
 namespace epode {
 namespace {
@@ -84,6 +85,27 @@ ConvexView in_frame(const Pose& frame, const ConvexView& v)
     ConvexView out = v;
     out.pose = inverse_times(frame, v.pose);
     return out;
+}
+
+void to_world(const Pose& frame, Separation& s)
+{
+    s.on_a = frame.to_world(s.on_a);
+    s.on_b = frame.to_world(s.on_b);
+    s.normal = frame.R * s.normal;
+}
+
+bool in_mesh(const QueryShape& a, const QueryShape& b, Separation& out)
+{
+    const Trimesh& mesh = b.as<Trimesh>();
+    if (a.number() == dRayClass || !mesh.is_solid()) return false;
+    Capsule unused;
+    const ConvexView view = in_frame(b.pose, solid_view(a, {}, 0, unused));
+    WayOut way;
+    if (!way_out_of(mesh.mesh()->mesh, mesh.mesh()->tree, view.pose.p, way)) return false;
+    out = separation(view, Plane{way.normal, dot(way.normal, way.nearest)});
+    out.side_b = way.triangle;
+    to_world(b.pose, out);
+    return true;
 }
 
 bool in_terrain(const QueryShape& a, const QueryShape& field, Separation& out)

@@ -46,11 +46,18 @@ inline constexpr Real kEndless = kSingle ? Real(1e3) : Real(1e5);
 ConvexView solid_view(const QueryShape& solid, Vec3 centre, Real reach, Capsule& memory);
 ConvexView in_frame(const Pose& frame, const ConvexView& view);
 
+// Its points and its normal into the world.
+void to_world(const Pose& frame, Separation& s);
+
 // The triangles of a mesh or a height field.
 TriangleSet triangles_of(const QueryShape& shape);
 
 // True if the pair functions find a solid or a mesh below the surface of a height field. `out` is in world
 // coordinates.
 bool in_terrain(const QueryShape& shape, const QueryShape& field, Separation& out);
+
+// True if the middle of the solid is inside a closed, solid mesh. Then `out` is minus the shortest way out,
+// in world coordinates.
+bool in_mesh(const QueryShape& solid, const QueryShape& mesh, Separation& out);
 
 }  // namespace epode

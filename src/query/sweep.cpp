@@ -101,6 +101,14 @@ SweepHit sweep_surface(const ConvexView& a, const Way& way, const QueryShape& su
     return hit;
 }
 
+SweepHit sweep_mesh(const ConvexView& a, const QueryShape& solid, const Way& way, const QueryShape& mesh,
+                    Real limit)
+{
+    Separation inside;
+    if (in_mesh(solid, mesh, inside) && inside.distance < -touch_of(a)) return met(0, inside);
+    return sweep_surface(a, way, mesh, limit);
+}
+
 SweepHit sweep_field(const ConvexView& a, const QueryShape& solid, const Way& way, const QueryShape& field,
                      Real limit)
 {
@@ -137,7 +145,7 @@ SweepHit sweep(Geom& solid, const Way& way, Geom& other, Real limit)
     else if (kind == QueryKind::kField)
         hit = sweep_field(view, a, way, b, limit);
     else
-        hit = sweep_surface(view, way, b, limit);
+        hit = sweep_mesh(view, a, way, b, limit);
     hit.named = b.named;
     return hit;
 }

@@ -99,6 +99,40 @@ TEST_F(SweptGeoms, slide_along_what_they_touch_and_are_stopped_by_what_they_over
     for (const dGeomID g : {box, floor, plane}) dGeomDestroy(g);
 }
 
+TEST_F(SweptGeoms, are_stopped_at_once_inside_a_solid_mesh)
+{
+    constexpr double kCube[] = {0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0, 0, 0, 2, 2, 0, 2, 2, 2, 2, 0, 2, 2};
+    constexpr dTriIndex kFaces[] = {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
+                                    1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7};
+    const dTriMeshDataID data = dGeomTriMeshDataCreate();
+    dGeomTriMeshDataBuildDouble(data, kCube, 24, 8, kFaces, 36, 12);
+    const dGeomID cube = dCreateTriMesh(nullptr, data, nullptr, nullptr, nullptr);
+    const Real r = Real(0.1);
+    const dGeomID solids[] = {dCreateSphere(nullptr, r),
+                              dCreateBox(nullptr, r, r, r),
+                              dCreateCapsule(nullptr, r, r),
+                              dCreateCylinder(nullptr, r, r),
+                              dCreateCone(nullptr, r, r),
+                              dCreateEllipsoid(nullptr, r, 2 * r, r),
+                              dCreateTaperedCapsule(nullptr, r, r / 2, r)};
+    for (const dGeomID solid : solids) {
+        dGeomSetPosition(solid, 1, 1, Real(1.7));
+        dGeomTriMeshSetSolid(cube, 0);
+        EXPECT_GT(cast(solid, {0, 0, -5}, cube).distance, 1) << "a surface is met from behind";
+        dGeomTriMeshSetSolid(cube, 1);
+        for (const Vec3 motion : {Vec3{0, 0, -5}, Vec3{Real(0.01), 0, 0}}) {
+            const dQueryHit hit = cast(solid, motion, cube);
+            EXPECT_EQ(hit.distance, 0);
+            EXPECT_LT(length(load(hit.normal) - Vec3{0, 0, 1}), kTight);
+            EXPECT_NEAR(hit.pos[2], 2, kTight);
+            EXPECT_TRUE(hit.side == 2 || hit.side == 3) << hit.side;
+        }
+        dGeomDestroy(solid);
+    }
+    dGeomDestroy(cube);
+    dGeomTriMeshDataDestroy(data);
+}
+
 TEST(SpaceCast, every_class_is_met_where_the_distance_vanishes)
 {
     QueryScene scene(31, 0);
