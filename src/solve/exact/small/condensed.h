@@ -18,10 +18,13 @@
 
 namespace epode {
 
+// Bodies of a tree, each a bit of a word.
+inline constexpr int kMaxLinks = 64;
+
 struct CondensedKernels {
     const char* name;
 
-    // kNotSolved: joints form loops, there are no joints or too many bounded rows, or the answer misses the
+    // kNotSolved: joints form loops, there are no joints, too many bodies or bounded rows, or the answer misses the
     // required precision.
     SmallResult (*solve)(RowSystem& system, double enough, Arena& arena, SolveReport& report);
 };

@@ -78,7 +78,7 @@ SmallResult solve_small(RowSystem& system, const SolverSettings& settings, Arena
 {
     std::size_t dynamic = 0;
     for (const SolverBody& body : system.bodies) dynamic += body.inv_mass > 0;
-    if (has_joints(system)) {
+    if (dynamic <= kMaxLinks && has_joints(system)) {
         const SmallResult result =
             condensed_kernels().back()->solve(system, settings.refine_above, arena, report);
         if (result != SmallResult::kNotSolved) return result;
