@@ -34,7 +34,7 @@ void give_block(dFreeFunction* free, void* block, std::size_t size)
 
 bool Arena::add_block(std::size_t size)
 {
-    EPODE_ASSERT(total_ <= high_water_ && (!current_ || used_ <= current_->size));
+    EPODE_ASSERT(!current_ || used_ <= current_->size);
     if (size > SIZE_MAX - kHeader) return false;
     auto* block = static_cast<ArenaBlock*>(take_block(supply_, size + kHeader));
     if (!block) return false;

@@ -64,6 +64,7 @@ class Arena {
     // Forgets everything taken; merges chained blocks into one.
     void reset()
     {
+        note_high_water();
         if (first_ && first_->next) {
             free_all();
             // Failing to allocate the reserve is not an error.
@@ -103,6 +104,7 @@ class Arena {
         Scope& operator=(const Scope&) = delete;
         ~Scope()
         {
+            arena_.note_high_water();
             // Blocks chained inside the scope stay for reuse by the rest of the step.
             arena_.poison_since(block_ ? block_ : arena_.first_, used_);
             arena_.current_ = block_ ? block_ : arena_.first_;
@@ -121,7 +123,7 @@ class Arena {
     void* take_bytes(std::size_t bytes)
     {
         const std::size_t size = (bytes + kCacheLine - 1) & ~(kCacheLine - 1);
-        if (!current_ || used_ + size > current_->size) {
+        if (!current_ || used_ + size > current_->size) [[unlikely]] {
             if (!advance(size)) {
                 failed_ = true;
                 return nullptr;
@@ -131,7 +133,6 @@ class Arena {
         unpoison(p, bytes);
         used_ += size;
         total_ += size;
-        high_water_ = std::max(high_water_, total_);
         return p;
     }
 
@@ -145,6 +146,9 @@ class Arena {
         }
         return add_block(std::max(size, std::max(supply_.minimum, total_)));
     }
+
+    // Before `total_` becomes less.
+    void note_high_water() { high_water_ = std::max(high_water_, total_); }
 
     std::size_t reserve() const
     {

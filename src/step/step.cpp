@@ -272,6 +272,13 @@ class WorldStep {
         int first_contact;
     };
 
+    // Has it nothing to solve? Substeps within an exact step know one island.
+    bool is_free(std::size_t i) const
+    {
+        const Island& island = islands_[i];
+        return island.joints.empty() && island.manifolds.empty() && context_.world.exact_substeps <= 1;
+    }
+
     // Can the solver take several islands at once? It must support parts (SystemPart), and manifolds must not
     // become rows, because those are appended after the rows of all joints.
     bool makes_groups(const Solver& solver) const
@@ -288,7 +295,8 @@ class WorldStep {
         if (islands_[i].settles() != islands_[i - 1].settles()) return false;
         const Solver& solver = solver_of(i);
         const bool joints = !islands_[i].joints.empty(), before = !islands_[i - 1].joints.empty();
-        if (&solver != &solver_of(i - 1) || !makes_groups(solver)) return false;
+        if (&solver != &solver_of(i - 1)) return false;
+        if (!makes_groups(solver)) return is_free(i) && is_free(i - 1);
         return !solver.contact_manifolds || (joints == before && !(joints && &solver == &kNetwork));
     }
 
@@ -353,8 +361,9 @@ class WorldStep {
         IslandRecords records;
         if (context_.world.report_wanted) records.reports = state_.reports.span().subspan(first, count);
         if (state_.ledger_wanted) records.ledgers = state_.ledgers.span().subspan(first, count);
+        const int draw = makes_groups(*group.solver) ? i : group.first;
         if (!step_islands(context_for(group), islands_.subspan(first, count),
-                          {i, group.first_contact, group.first}, tasks, memory_.arena(worker), records))
+                          {i, draw, group.first_contact, group.first}, tasks, memory_.arena(worker), records))
             return out_of_memory_.store(true);
         const Island done = joined(islands_.subspan(first, count));
         finish_.at_once(done.bodies, tasks);

@@ -3,6 +3,7 @@
 #include "step/island/island_step.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
@@ -82,15 +83,18 @@ class IslandStep {
         const bool tension =
             !world_.acts_as_ode() && add_tension(work_, work_.system.bodies, inner_step(), arena_);
         if (projects()) leave_depth_to_projection(work_.system);
-        SubstepModel model(work_, step_info(world_, context_.h), tension, tasks);
-        const Substeps callbacks = model.callbacks();
-        const bool inner = context_.solver.substeps;
-        if (inner && !model.prepare(arena_)) return false;
+        std::optional<SubstepModel> model;
+        Substeps callbacks;
+        if (context_.solver.substeps) {
+            model.emplace(work_, step_info(world_, context_.h), tension, tasks);
+            if (!model->prepare(arena_)) return false;
+            callbacks = model->callbacks();
+        }
         SolverSettings settings;
         settings.iterations = iterations();
         settings.w = world_.quick_w;
-        settings.seed = world_.step_count * 0x9e3779b97f4a7c15u + std::uint64_t(place_.index);
-        settings.substeps = inner ? &callbacks : nullptr;
+        settings.seed = world_.step_count * 0x9e3779b97f4a7c15u + std::uint64_t(place_.draw);
+        settings.substeps = model ? &callbacks : nullptr;
         settings.want_residual = !reports.empty();
         settings.contact_manifolds = context_.manages_contacts;
         settings.part_residuals = arena_.take<Real>(int(reports.size()));

@@ -28,7 +28,8 @@ struct StepContext {
 };
 
 struct IslandPlace {
-    int index;          // of the group: part of the random seed
+    int index;          // of the group
+    int draw;           // part of the random seed, whatever else has been grouped
     int first_contact;  // its first ticket in the contact cache: one per joint
     int first_island;   // index of the group's first island
 };

@@ -4,6 +4,9 @@
 // What cannot be computed is contained: a body pushed beyond all numbers, a joint torn to absurd distances, a
 // body stepped at absurd speed. Its island keeps finite numbers and the report counts it; every other island
 // ends with the bits it would have without the rogue.
+#include <memory>
+#include <vector>
+
 #include "scenes.h"
 #include "world_contacts.h"
 
@@ -71,6 +74,49 @@ TEST_P(TrustContainment, the_others_never_notice)
             } else {
                 EXPECT_NEAR(dBodyGetPosition(sim.bodies[i])[k], dBodyGetPosition(reference.bodies[i])[k],
                             0.05);
+            }
+        }
+}
+
+// Islands that nothing holds are moved together; whatever their number, each has the bits that it has alone.
+TEST_P(TrustContainment, free_bodies_move_together_as_each_does_alone)
+{
+    constexpr int kBodies = 1500, kRogue = 600;
+    for (const bool world_contacts : {false, true})
+        for (const bool exact_rotation : {false, true}) {
+            Sim all(GetParam());
+            std::vector<std::unique_ptr<Sim>> alone;
+            Random random(31);
+            const auto set_up = [&](Sim& s) {
+                s.gravity(0, 0, -9.81);
+                if (world_contacts) dWorldSetContactSpace(s.world, s.space);
+                dWorldSetExactRotation(s.world, exact_rotation);
+                dWorldSetStepReportMode(s.world, 1);
+            };
+            set_up(all);
+            for (int i = 0; i < kBodies; ++i) {
+                const V3 at{3.0 * i, 0, 0}, v = random.point(5), w = random.point(9);
+                const auto put = [&](Sim& s) { velocity(s.box(at, {1, 0.8, 0.6}, 2), v, w); };
+                i == kRogue ? (void)all.body(at, kTiny) : put(all);
+                if (i % 100 != 7) continue;
+                alone.push_back(std::make_unique<Sim>(GetParam()));
+                set_up(*alone.back()), put(*alone.back());
+            }
+            const dBodyID rogue = all.bodies[kRogue];
+            for (int step = 0; step < 10; ++step) {
+                if (step == 4) dBodyAddForce(rogue, real(kHuge), 0, 0);
+                ASSERT_EQ(all.step(0.01), 1);
+                EXPECT_EQ(all.report().islands, kBodies);
+                EXPECT_EQ(all.report().contained_islands, step == 4 ? 1 : 0) << step;
+                for (const auto& one : alone) ASSERT_EQ(one->step(0.01), 1);
+            }
+            for (std::size_t k = 0; k < alone.size(); ++k) {
+                const dBodyID a = all.bodies[100 * k + 7], b = alone[k]->bodies[0];
+                for (int i = 0; i < 4; ++i) EXPECT_EQ(dBodyGetQuaternion(a)[i], dBodyGetQuaternion(b)[i]);
+                for (int i = 0; i < 3; ++i) {
+                    EXPECT_EQ(dBodyGetPosition(a)[i], dBodyGetPosition(b)[i]);
+                    EXPECT_EQ(dBodyGetAngularVel(a)[i], dBodyGetAngularVel(b)[i]);
+                }
             }
         }
 }
