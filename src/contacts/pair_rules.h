@@ -61,10 +61,12 @@ inline SlotPair slots_of(const ContactPair& pair)
     return {std::max(a, b), std::min(a, b)};
 }
 
-// What is open and has not been pushed was only near.
+// What is open and has not been pushed was only near. (Friction may be left of a normal impulse that is gone:
+// step/island/manifold_rows.cpp.)
 inline bool touches(const CachedManifold& kept, const ManifoldPoint& point)
 {
-    return point.normal_impulse > 0 || point.separation <= kept.layer;
+    const Float3 f = point.friction_impulse;
+    return point.normal_impulse > 0 || point.separation <= kept.layer || f.x != 0 || f.y != 0 || f.z != 0;
 }
 
 inline bool touches(std::span<const CachedManifold> manifolds)
