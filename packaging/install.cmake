@@ -3,6 +3,7 @@
 #
 # What `cmake --install` puts under a prefix. Nothing installed holds the prefix itself: the tree may be moved.
 #   include/ode/*.h   lib/libode.so.8 and libode_single.so.8 with their links, or libode.a and libode_single.a
+#                     (for Windows bin/libode.dll, lib/libode.dll.a and those of libode_single)
 #   lib/pkgconfig/ode.pc, ode-single.pc
 #   lib/cmake/ode     bin/ode-config, bin/epode    share/epode/replay.html     share/doc/epode
 #   include/epode/robots.h   lib/libepode_robots.so, where pugixml is there
@@ -35,7 +36,8 @@ endif()
 # install_ode(target LIBRARY PC PRECISION FLAG): library, links and pkg-config file of one precision.
 function(install_ode target LIBRARY PC PRECISION FLAG)
   target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  install(TARGETS ${target} EXPORT ode-targets DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(TARGETS ${target} EXPORT ode-targets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   configure_file(${EPODE_PACKAGING}/ode.pc.in ${EPODE_OUT}/${PC}.pc @ONLY)
   install(FILES ${EPODE_OUT}/${PC}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()

@@ -15,6 +15,13 @@
 #error "Epode promises the same bits everywhere: it must not be compiled with -ffast-math"
 #endif
 
+// Formats of messages are the C standard's, also where the system's own differ.
+#if defined(__MINGW32__) && !defined(__clang__)
+#define EPODE_PRINTF gnu_printf
+#else
+#define EPODE_PRINTF printf
+#endif
+
 namespace epode {
 
 using Real = dReal;  // double, or float when the library is built with dIDESINGLE

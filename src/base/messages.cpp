@@ -13,7 +13,10 @@
 namespace epode {
 namespace {
 
-std::atomic<dMessageFunction*> g_handlers[3];
+struct Handler {
+    dMessageFunction* function;
+};
+std::atomic<Handler> g_handlers[3];
 
 void print(Channel channel, int number, const char* format, va_list arguments)
 {
@@ -27,11 +30,11 @@ void print(Channel channel, int number, const char* format, va_list arguments)
 
 }  // namespace
 
-dMessageFunction* handler(Channel channel) noexcept { return g_handlers[int(channel)].load(); }
+dMessageFunction* handler(Channel channel) noexcept { return g_handlers[int(channel)].load().function; }
 
 void set_handler(Channel channel, dMessageFunction* function) noexcept
 {
-    g_handlers[int(channel)].store(function);
+    g_handlers[int(channel)].store({function});
 }
 
 void deliver(Channel channel, int number, const char* format, va_list arguments)

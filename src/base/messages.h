@@ -8,6 +8,7 @@
 
 #include <cstdarg>
 
+#include "base/config.h"
 #include "ode/error.h"
 
 namespace epode {
@@ -22,6 +23,6 @@ void set_handler(Channel channel, dMessageFunction* function) noexcept;
 void deliver(Channel channel, int number, const char* format, va_list arguments);
 
 // A note to the client through dMessage's channel.
-[[gnu::format(printf, 2, 3)]] void note(int number, const char* format, ...);
+[[gnu::format(EPODE_PRINTF, 2, 3)]] void note(int number, const char* format, ...);
 
 }  // namespace epode

@@ -5,6 +5,7 @@
 #include "tasks/fork_watch.h"
 
 #include "tasks/lock.h"
+#include "tasks/operating_system.h"
 
 namespace epode {
 
@@ -43,7 +44,7 @@ ForkList& fork_list()
     alignas(ForkList) static unsigned char memory[sizeof(ForkList)];
     static ForkList* const list = [] {
         auto* made = new (memory) ForkList;
-        pthread_atfork(
+        at_fork(
             [] {
                 fork_list().lock.lock();
                 fork_list().notify(ForkStage::kBefore);

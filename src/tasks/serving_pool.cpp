@@ -6,10 +6,8 @@
 // while `busy_` is not 0. The queue's lock is taken before the pool's.
 #include "tasks/serving_pool.h"
 
-#include <limits.h>
-#include <signal.h>
-
 #include "base/objects/pool.h"
+#include "tasks/operating_system.h"
 
 namespace epode {
 namespace {
@@ -17,23 +15,6 @@ namespace {
 constexpr std::size_t kMinStack = 64 * 1024;  // a step of a large island needs less
 
 thread_local const ServingPool* t_pool = nullptr;
-
-// A new thread takes no signals: it inherits the mask that is set while it is created.
-class BlockedSignals {
-  public:
-    BlockedSignals()
-    {
-        sigset_t all;
-        sigfillset(&all);
-        pthread_sigmask(SIG_SETMASK, &all, &before_);
-    }
-    BlockedSignals(const BlockedSignals&) = delete;
-    BlockedSignals& operator=(const BlockedSignals&) = delete;
-    ~BlockedSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-
-  private:
-    sigset_t before_;
-};
 
 }  // namespace
 
@@ -78,7 +59,7 @@ bool ServingPool::spawn()
 {
     pthread_attr_t attributes;
     if (pthread_attr_init(&attributes) != 0) return false;
-    bool good = settings_.stack == 0 || settings_.stack >= std::size_t(PTHREAD_STACK_MIN);
+    bool good = settings_.stack == 0 || (settings_.stack >= kLeastStack && settings_.stack <= kMostStack);
     if (good && settings_.stack) {
         const std::size_t stack = settings_.stack < kMinStack ? kMinStack : settings_.stack;
         good = pthread_attr_setstacksize(&attributes, stack) == 0;

@@ -7,15 +7,14 @@
 // the last piece. Plain pthreads, because starting a std::thread can fail only by exception.
 #include "tasks/thread_pool.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <new>
 #include <thread>
 
+#include "base/address_wait.h"
 #include "base/float_environment.h"
 #include "base/objects/lifecycle.h"
 #include "base/spin.h"
+#include "tasks/operating_system.h"
 #include "tasks/tasks.h"
 #include "tasks/waiting.h"
 #include "tasks/worker.h"
@@ -32,16 +31,6 @@ constexpr bool kAlwaysHelped = true;
 #else
 constexpr bool kAlwaysHelped = false;
 #endif
-
-// How often this thread lost its core although it could have continued.
-long times_unseated()
-{
-#ifdef RUSAGE_THREAD
-    rusage usage;
-    if (getrusage(RUSAGE_THREAD, &usage) == 0) return usage.ru_nivcsw;
-#endif
-    return 0;
-}
 
 }  // namespace
 
@@ -79,7 +68,7 @@ void ThreadPool::run_with_helpers(int workers, int count, Piece piece, void* bod
     const unsigned job = news_.load(std::memory_order_relaxed) + 1;
     ticket_.store((unsigned long long)job << 32, std::memory_order_release);
     news_.store(job, std::memory_order_release);
-    news_.notify_all();
+    wake_waiting(news_);
 
     work(0);
     for (Waiting waiting; done_.load(std::memory_order_acquire) < count;) waiting.once();
@@ -109,7 +98,7 @@ unsigned ThreadPool::wait_for_news(unsigned seen)
         if (news != seen) return news;
         spin_once();
     }
-    news_.wait(seen, std::memory_order_acquire);
+    wait_while(news_, seen);
     return news_.load(std::memory_order_acquire);
 }
 
@@ -155,7 +144,7 @@ void ThreadPool::stop()
     while (taken_.test_and_set(std::memory_order_acquire)) std::this_thread::yield();
     ending_.store(true, std::memory_order_release);
     news_.fetch_add(1, std::memory_order_acq_rel);
-    news_.notify_all();
+    wake_waiting(news_);
     for (int i = 0; i < thread_count_; ++i) pthread_join(threads_[i].id, nullptr);
     thread_count_ = 0;
     ending_.store(false, std::memory_order_release);
@@ -177,7 +166,7 @@ ThreadPool& thread_pool()
     static ThreadPool* const pool = [] {
         auto* made = new (memory) ThreadPool;
         (void)on_last_close([] { thread_pool().stop(); });
-        pthread_atfork(nullptr, nullptr, [] { thread_pool().forget_threads(); });
+        at_fork(nullptr, nullptr, [] { thread_pool().forget_threads(); });
         return made;
     }();
     return *pool;
@@ -197,8 +186,8 @@ bool Tasks::alone() const { return workers_ == 1 || t_worker >= 0 || (!posting_ 
 
 int processor_count()
 {
-    const long n = sysconf(_SC_NPROCESSORS_ONLN);
-    return n < 1 ? 1 : n > ThreadPool::kMaxThreads ? ThreadPool::kMaxThreads : int(n);
+    const unsigned n = std::thread::hardware_concurrency();
+    return n < 1 ? 1 : n > unsigned(ThreadPool::kMaxThreads) ? ThreadPool::kMaxThreads : int(n);
 }
 
 }  // namespace epode

@@ -292,7 +292,7 @@ TEST(CopiesWithoutMemory, leave_files_as_they_are)
     const std::filesystem::path folder =
         std::filesystem::path(testing::TempDir()) / ("epode_memory_" + std::to_string(::getpid()));
     std::filesystem::create_directory(folder);
-    const std::string path = folder / "world.epw";
+    const std::string path = (folder / "world.epw").string();
     const auto put = [&](const char* text) { std::ofstream(path) << text; };
     const auto is = [&](const char* text) {
         std::ostringstream content;

@@ -9,7 +9,7 @@
 // would still be bound), and a check in dInitODE (many programs never call it, and it is too late to refuse).
 #include "ode/odeconfig.h"
 
-#if defined(dSINGLE)
+#if defined(dSINGLE) && defined(__ELF__)
 extern "C" const char dSinglePrecisionProgram_LinkWith_ode_single = 1;
 __asm__(".globl dDoublePrecisionProgram_CompileWith_dIDESINGLE");
 #endif

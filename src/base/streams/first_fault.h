@@ -4,13 +4,15 @@
 // What is wrong with bytes that are read, in words. Only the first fault is kept: those after it follow from it.
 #pragma once
 
+#include "base/config.h"
+
 namespace epode {
 
 class FirstFault {
   public:
     bool failed() const { return text_[0] != 0; }
     const char* text() const { return text_; }
-    [[gnu::format(printf, 2, 3), gnu::cold]] void fail(const char* format, ...);
+    [[gnu::format(EPODE_PRINTF, 2, 3), gnu::cold]] void fail(const char* format, ...);
     // Fails with the text unless the condition holds, which it returns.
     bool demand(bool condition, const char* text)
     {

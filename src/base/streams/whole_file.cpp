@@ -2,15 +2,13 @@
 // Copyright (c) 2026 The Epode authors
 #include "base/streams/whole_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <cerrno>
 #include <climits>
 #include <cstdio>
 #include <cstring>
 
 #include "base/check.h"
+#include "base/streams/file_calls.h"
 
 namespace epode {
 namespace {
@@ -72,7 +70,7 @@ bool write_all(int to, std::span<const std::byte> from)
 // A pipe or a device would have no end.
 const char* read_file(const char* path, Array<std::byte>& out, char* text, std::size_t text_size)
 {
-    const Descriptor file(::open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    const Descriptor file(open_to_read(path));
     struct stat about;
     if (!file.is_open() || ::fstat(file.number(), &about) != 0) return why(path, text, text_size);
     if (!S_ISREG(about.st_mode)) return kNoFile;
@@ -88,10 +86,10 @@ const char* write_file(const char* path, std::span<const std::byte> bytes, char*
     char fresh[4096];
     const int length = std::snprintf(fresh, sizeof fresh, "%s.%ld.new", path, long(::getpid()));
     if (length >= int(sizeof fresh)) return "the path is too long";
-    Descriptor file(::open(fresh, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    Descriptor file(open_new(fresh));
     if (!file.is_open()) return why(path, text, text_size);
-    const bool written = write_all(file.number(), bytes) && ::fsync(file.number()) == 0 && file.close() &&
-                         ::rename(fresh, path) == 0;
+    const bool written = write_all(file.number(), bytes) && flush_to_disk(file.number()) == 0 &&
+                         file.close() && replace_file(fresh, path) == 0;
     if (written) return nullptr;
     const char* const reason = why(path, text, text_size);
     (void)::unlink(fresh);

@@ -6,8 +6,10 @@
 #include "tasks/tasks.h"
 
 #include <gtest/gtest.h>
+#if !defined(_WIN32)
 #include <sys/wait.h>
 #include <unistd.h>
+#endif
 
 #include <atomic>
 #include <thread>
@@ -117,8 +119,8 @@ TEST(Tasks, the_pool_stops_and_starts_again)
     }
 }
 
-// The thread sanitizer cannot follow a fork of a process with threads.
-#ifndef __SANITIZE_THREAD__
+// The thread sanitizer cannot follow a fork of a process with threads; Windows has none.
+#if !defined(__SANITIZE_THREAD__) && !defined(_WIN32)
 TEST(Tasks, a_forked_child_has_a_pool_of_its_own)
 {
     Tasks(4).for_each(100, [](int, int) {});

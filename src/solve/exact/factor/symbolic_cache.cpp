@@ -43,25 +43,6 @@ void for_arrays(BodyGraph& graph, SymbolicFactor& symbolic, Visit visit)
 
 }  // namespace
 
-// Held for at most one comparison of a graph or one copy of a symbolic factor.
-class SymbolicCache::Lock {
-  public:
-    explicit Lock(std::atomic_flag& busy) : busy_(busy)
-    {
-        while (busy_.test_and_set(std::memory_order_acquire)) busy_.wait(true, std::memory_order_relaxed);
-    }
-    Lock(const Lock&) = delete;
-    Lock& operator=(const Lock&) = delete;
-    ~Lock()
-    {
-        busy_.clear(std::memory_order_release);
-        busy_.notify_one();
-    }
-
-  private:
-    std::atomic_flag& busy_;
-};
-
 SymbolicCache::Entry* SymbolicCache::find(const BodyGraph& graph, std::uint64_t hash)
 {
     for (Entry& e : entries_)
@@ -74,7 +55,7 @@ SymbolicCache::Entry* SymbolicCache::find(const BodyGraph& graph, std::uint64_t 
 const SymbolicFactor* SymbolicCache::borrow(const BodyGraph& graph)
 {
     const std::uint64_t hash = hash_of(graph);
-    const Lock lock(busy_);
+    const Guard guard(lock_);
     Entry* e = find(graph, hash);
     if (!e) return nullptr;
     e->used = ++time_;
@@ -84,7 +65,7 @@ const SymbolicFactor* SymbolicCache::borrow(const BodyGraph& graph)
 
 void SymbolicCache::give_back(const SymbolicFactor& symbolic)
 {
-    const Lock lock(busy_);
+    const Guard guard(lock_);
     for (Entry& e : entries_)
         if (&e.symbolic == &symbolic) --e.borrowers;
 }
@@ -92,7 +73,7 @@ void SymbolicCache::give_back(const SymbolicFactor& symbolic)
 void SymbolicCache::keep(const BodyGraph& graph, const SymbolicFactor& symbolic)
 {
     const std::uint64_t hash = hash_of(graph);
-    const Lock lock(busy_);
+    const Guard guard(lock_);
     if (find(graph, hash)) return;  // another thread has added the same graph first
     Entry* oldest = nullptr;
     for (Entry& e : entries_)
@@ -120,7 +101,7 @@ void SymbolicCache::keep(const BodyGraph& graph, const SymbolicFactor& symbolic)
 
 void SymbolicCache::clear()
 {
-    const Lock lock(busy_);
+    const Guard guard(lock_);
     for (Entry& e : entries_) {
         e.memory.reset();
         e.graph = {};

@@ -9,12 +9,12 @@
 // in use.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 
 #include "base/arena.h"
 #include "base/array.h"
 #include "solve/exact/factor/symbolic.h"
+#include "tasks/lock.h"
 
 namespace epode {
 
@@ -44,11 +44,10 @@ class SymbolicCache {
         SymbolicFactor symbolic;
         Array<int> memory;  // of the graph and its symbolic factor
     };
-    class Lock;
 
     Entry* find(const BodyGraph& graph, std::uint64_t hash);
 
-    std::atomic_flag busy_ = ATOMIC_FLAG_INIT;
+    Lock lock_;  // held for at most one comparison of a graph or one copy of a symbolic factor
     unsigned time_ = 0;
     Entry entries_[kEntries];
 };
