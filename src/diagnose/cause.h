@@ -31,7 +31,8 @@ struct Touch {
 struct JointError {
     dJointID id = nullptr;
     Real error = 0;
-    int steps = 0;
+    int steps = 0;    // in succession that have left it open
+    int at_rest = 0;  // the last of these that were solved and have not changed it
 };
 
 // Working memory of the search for loops of joints: one node for each place of a body, behind that of what

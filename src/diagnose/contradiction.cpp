@@ -5,7 +5,8 @@
 // that close a loop (or connect two bodies twice) can contradict each other: those of a component of the graph
 // of bodies and joints that has a cycle, what does not move being one node. The error is that of the rows that
 // lock, at the pose that the step has left; soft rows keep theirs by intention. Sweeps that have not converged
-// leave errors in joints that fit together: then it is no more than a note. So does fast motion: an arm r that
+// leave errors in joints that fit together: where residuals are not small all along it is no more than a note. So do loads that
+// come and go, in substeps, whose joints give way a little: an error that grows is theirs. So does fast motion: an arm r that
 // rotates at w leaves its circle by r (h w)^2 / 2 in each step, of which the next ones remove the share ERP.
 #include "diagnose/cause.h"
 
@@ -109,12 +110,14 @@ void find_contradiction(const StepFacts& facts)
         const Real error = locked.worst;
         const bool persists =
             known.id == to_handle(&joint) && error > kGapOpen && error > kPersists * known.error;
-        known = {to_handle(&joint), error, persists ? known.steps + 1 : 0};
+        const bool rests = persists && solved && error < known.error / kPersists;
+        known = {to_handle(&joint), error, persists ? known.steps + 1 : 0, rests ? known.at_rest + 1 : 0};
         if (known.steps < kPatience) continue;
         facts.findings.add({.kind = dDiagnosisContradiction,
-                            .severity = !solved || error < kMotion * locked.by_motion ? dSeverityNote
-                                        : error > kGapTorn                            ? dSeverityError
-                                                                                      : dSeverityWarning,
+                            .severity = known.at_rest < kPatience || error < kMotion * locked.by_motion
+                                            ? dSeverityNote
+                                        : error > kGapTorn ? dSeverityError
+                                                           : dSeverityWarning,
                             .body = to_handle(joint.body1()),
                             .other = joint.body2() ? to_handle(joint.body2()) : nullptr,
                             .joint = to_handle(&joint),

@@ -27,8 +27,8 @@ struct Golden {
 
 constexpr Golden kGolden[2][8] = {{{0x2c466a7a05177929, 0xc8c5fc5ad9bbd44d},
                                    {0xaf83a98290d607ea, 0x9f1c2fb4685f84a3},
-                                   {0x4838424b2d8da957, 0x64b6ebf4c6c7afe7},
-                                   {0x7473811521cf2768, 0xd03cdeb4068a9d3f},
+                                   {0x485555170ccae5dc, 0x9743d860ec62f73c},
+                                   {0x8dc516e2b1aaef64, 0xc25f14a46075dabc},
                                    {0x03215c094e62cee3, 0x0aca38644eaa7680},
                                    {0x16ff417b919d47eb, 0x11d56172caa90a33},
                                    {0x5471674c534d7acf, 0x542a2785fc6868b3},
