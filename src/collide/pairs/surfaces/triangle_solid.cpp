@@ -87,8 +87,8 @@ class LeastWay : public Way {
     bool decide()
     {
         if (on_crest && kFaceFirst * depth > blocked) on_crest = false, normal = f_.n, depth = own_;
-        if (!on_crest && hollow < kOwnShare * own_) return false;  // it touches the neighbour, not this one
-        return true;
+        const bool touches_neighbour = !on_crest && hollow < kOwnShare * own_;
+        return !touches_neighbour;
     }
 
     Real overlap_along(Vec3 n) const
