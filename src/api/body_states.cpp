@@ -108,8 +108,11 @@ void take(Real (&to)[4], const Real*& from)
     from += 3;
 }
 
-void set(Body& body, unsigned fields, const Real* from)
+// The pose that a body has is no move, as in dBodySetPosition: nothing wakes.
+void set_pose(Body& body, unsigned fields, const Real*& from)
 {
+    const Vec3 place = body.position();
+    const Quat orientation = body.orientation();
     if (fields & dStatePosition) take(body.pos, from);
     if (fields & dStateQuaternion) {
         Quat q = load_quat(from);
@@ -117,7 +120,13 @@ void set(Body& body, unsigned fields, const Real* from)
         set_orientation(body, q);
         from += 4;
     }
-    if (fields & (dStatePosition | dStateQuaternion)) body_moved(body);
+    const bool same = body.position() == place && body.orientation() == orientation;
+    same ? body_stepped(body) : body_moved(body);
+}
+
+void set(Body& body, unsigned fields, const Real* from)
+{
+    if (fields & kPose) set_pose(body, fields, from);
     if (fields & dStateLinearVel) take(body.lvel, from);
     if (fields & dStateAngularVel) take(body.avel, from), body.spin_excess = {};
     if (fields & kVelocities) wake_if_driven(body);

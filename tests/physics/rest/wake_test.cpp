@@ -289,6 +289,14 @@ const struct {
     {"a new geom far away", [](Table& s) { dGeomSetPosition(dCreateSphere(s.space, 1), 0, 80, 0); }},
     {"a ray", [](Table& s) { dGeomRaySet(dCreateRay(s.space, 5), 0, 0, 10, 0, 0, -1); }},
     {"no velocity", [](Table& s) { dBodySetLinearVel(s.far, 0, 0, 0); }},
+    {"same states",
+     [](Table& s) {
+         const dBodyID bodies[] = {s.lower, s.upper, s.far};
+         constexpr unsigned kAll = dStatePosition | dStateQuaternion | dStateLinearVel | dStateAngularVel;
+         dReal states[3 * 13];
+         ASSERT_EQ(dBodiesGetStates(bodies, 3, kAll, states, 0), 1);
+         ASSERT_EQ(dBodiesSetStates(bodies, 3, kAll, states, 0), 1);
+     }},
 };
 
 TEST(WakeNot, WhatNothingHappensTo)
@@ -309,15 +317,21 @@ TEST(WakeNot, WhatNothingHappensTo)
 // A body that the program has moved stays as it is, but not what lay on it.
 TEST(WakeNot, WhatTheProgramMoves)
 {
-    for (const Others others : {Others::kAsleep, Others::kAwake}) {
-        Table s(Support::kStatic, others);
-        s.put_to_sleep(WakeStepper::kQuick);
-        dBodySetPosition(s.lower, 60, 0, 30);
-        s.step(WakeStepper::kQuick, 40);
-        EXPECT_FALSE(dBodyIsEnabled(s.lower));
-        EXPECT_EQ(height_of(s.lower), 30);
-        EXPECT_LT(height_of(s.upper), 4);
-    }
+    for (const Others others : {Others::kAsleep, Others::kAwake})
+        for (const bool in_bulk : {false, true}) {
+            Table s(Support::kStatic, others);
+            s.put_to_sleep(WakeStepper::kQuick);
+            const dReal place[3] = {60, 0, 30};
+            if (in_bulk) {
+                ASSERT_EQ(dBodiesSetStates(&s.lower, 1, dStatePosition, place, 0), 1);
+            } else {
+                dBodySetPosition(s.lower, place[0], place[1], place[2]);
+            }
+            s.step(WakeStepper::kQuick, 40);
+            EXPECT_FALSE(dBodyIsEnabled(s.lower));
+            EXPECT_EQ(height_of(s.lower), 30);
+            EXPECT_LT(height_of(s.upper), 4);
+        }
 }
 
 // What never falls asleep by itself was disabled by the program.
