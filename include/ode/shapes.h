@@ -191,8 +191,9 @@ ODE_API void dMassSetConvexTotal(dMass* m, dReal total_mass, dGeomID convex);
 
 /** - dGeomTriMeshSetSolid: Make the mesh the solid that its triangles enclose (solid 1) or, as in ODE and
       by default, their surface (0). A convex solid whose centre is inside a solid mesh is pushed out by the
-      shortest way, however deep it is. docs/guide/shapes.md tells what other geoms and queries see. Refused: other values of solid; 1 for a mesh that is not closed (a
-      triangle without a neighbour over an edge, or wound the other way) or that faces inward.
+      shortest way, however deep it is. docs/guide/shapes.md tells what other geoms and queries see.
+      Refused: other values of solid; 1 for a mesh that is not closed (a triangle without a neighbour over
+      an edge, or wound the other way) or that faces inward.
     - dGeomTriMeshGetSolid: 1 if the mesh is a solid now, else 0: data that are not closed make it a surface
       for as long as it has them. [ours] */
 ODE_API void dGeomTriMeshSetSolid(dGeomID mesh, int solid);

@@ -5,9 +5,10 @@
 // that close a loop (or connect two bodies twice) can contradict each other: those of a component of the graph
 // of bodies and joints that has a cycle, what does not move being one node. The error is that of the rows that
 // lock, at the pose that the step has left; soft rows keep theirs by intention. Sweeps that have not converged
-// leave errors in joints that fit together: where residuals are not small all along it is no more than a note. So do loads that
-// come and go, in substeps, whose joints give way a little: an error that grows is theirs. So does fast motion: an arm r that
-// rotates at w leaves its circle by r (h w)^2 / 2 in each step, of which the next ones remove the share ERP.
+// leave errors in joints that fit together: where residuals are not small all along it is no more than a note.
+// So do loads that come and go, in substeps, whose joints give way a little: an error that grows is theirs. So
+// does fast motion: an arm r that rotates at w leaves its circle by r (h w)^2 / 2 in each step, of which the next
+// ones remove the share ERP.
 #include "diagnose/cause.h"
 
 #include <algorithm>

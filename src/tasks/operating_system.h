@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What tasks ask of the operating system where POSIX and Windows differ. The rest, threads and clocks, MinGW-w64
-// has as POSIX does.
+// What tasks ask of the operating system where POSIX and Windows differ. The rest, threads and clocks,
+// MinGW-w64 has as POSIX does.
 #pragma once
 
 #include <limits.h>

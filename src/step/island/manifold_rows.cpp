@@ -100,9 +100,9 @@ void for_points(const IslandWork& work, Visit&& visit)
 
 bool is_finite(Float3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-// Rounding leaves impulses below 0, but no contact pulls. Friction stays: without the cone it is bounded by what the
-// normal impulse was before it acted. Floats end before a Real does, and the next step does not begin with
-// what is not finite.
+// Rounding leaves impulses below 0, but no contact pulls. Friction stays: without the cone it is bounded by
+// what the normal impulse was before it acted. Floats end before a Real does, and the next step does not begin
+// with what is not finite.
 void keep_impulses(Real normal, Vec3 friction, ManifoldPoint& point)
 {
     point.normal_impulse = float(std::max(normal, Real(0))), point.friction_impulse = narrow(friction);

@@ -227,6 +227,7 @@ std::vector<dBodyID> spider(Sim& sim, V3 at, double size)
 // What of the angular momentum, as a share, is lost until two machines meet in flight, and in all.
 struct MomentumLoss {
     double before = 0, in_all = 0;
+    double linear = 0;  // kg m/s
 };
 
 MomentumLoss collide_machines(int per_step, double aside)
@@ -246,10 +247,8 @@ MomentumLoss collide_machines(int per_step, double aside)
         if (!met) loss.before = std::max(loss.before, lost());
     }
     EXPECT_TRUE(met);
-    // Manifolds are solved in floats: a rounding of 1e-7 of 20 kg m/s in each substep, up to three times its random walk.
-    EXPECT_LT(length(momentum(sim) - p), tol(3 * 2e-6 * std::sqrt(150 * per_step), per_step * 1e-3));
     EXPECT_LT(sim.report().joint_error, 2e-3);
-    loss.in_all = lost();
+    loss.in_all = lost(), loss.linear = length(momentum(sim) - p);
     return loss;
 }
 
@@ -263,6 +262,7 @@ TEST(Hybrid, keeps_momentum_of_what_is_tied_and_of_what_collides)
     const auto add = [](MomentumLoss& mean, const MomentumLoss& one) {
         mean.before += one.before / kEncounters;
         mean.in_all += one.in_all / kEncounters;
+        mean.linear += one.linear / kEncounters;
     };
     for (int i = 0; i < kEncounters; ++i) {
         add(loss, collide_machines(1, 0.05 * i));
@@ -270,6 +270,10 @@ TEST(Hybrid, keeps_momentum_of_what_is_tied_and_of_what_collides)
     }
     EXPECT_LT(loss.before, 1e-3);
     EXPECT_LT(loss.in_all, 0.04);
+    // Manifolds are solved in floats: a rounding of 1e-7 of 20 kg m/s in some of the steps. Of 60 encounters the mean
+    // is 5e-6 and 1.2e-5, the worst 2.5e-5 and 3.8e-5.
+    EXPECT_LT(loss.linear, tol(2e-5, 1e-3));
+    EXPECT_LT(fine.linear, tol(2e-5, 8e-3));
     EXPECT_LT(fine.before, loss.before / 4);
     EXPECT_LT(fine.in_all, loss.in_all / 4);
 }

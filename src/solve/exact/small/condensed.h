@@ -24,8 +24,8 @@ inline constexpr int kMaxLinks = 64;
 struct CondensedKernels {
     const char* name;
 
-    // kNotSolved: joints form loops, there are no joints, too many bodies or bounded rows, or the answer misses the
-    // required precision.
+    // kNotSolved: joints form loops, there are no joints, too many bodies or bounded rows, or the answer misses
+    // the required precision.
     SmallResult (*solve)(RowSystem& system, double enough, Arena& arena, SolveReport& report);
 };
 
