@@ -135,6 +135,8 @@ class Projection {
                 hold.error = follows ? row.error - motion(row, block) : now[i].error;
                 one_sided_ |= row.lo == 0 || row.hi == 0;
                 if (row.kind == RowKind::kNormal) {
+                    // An open point of a manifold has its gap as a velocity (step/island/manifold_rows).
+                    if (k >= work_.joints.size()) hold.error += work_.system.h * std::min(row.speed, Real(0));
                     hold.error -= world_.projection_tolerance / 2 / per_arm;
                     const Real share = std::min(row.erp, Real(1));
                     // The tolerance is one of the depth, not of the share that this step removes.

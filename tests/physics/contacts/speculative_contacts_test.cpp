@@ -105,6 +105,26 @@ TEST_P(SpeculativeContacts, push_along_the_normal_that_will_be)
     }
 }
 
+// A gap that closes in this step is no depth: the projection of positions moves nobody back from it, and each
+// body arrives where its velocity says.
+TEST(ProjectedContacts, leave_what_is_about_to_touch_alone)
+{
+    WorldContactsSim sim(Stepper::kExact);
+    sim.ground();
+    dWorldSetStepProjection(sim.world, 2);
+    const dBodyID bodies[] = {sim.box({0, 0, 1}, {1, 1, 1}, 4), sim.sphere({5, 0, 2}, 0.5, 3),
+                              sim.cylinder({10, 0, 3.5}, 0.5, 1, 5)};
+    for (int i = 0; i < 90; ++i) {
+        const double before[] = {position(bodies[0]).z, position(bodies[1]).z, position(bodies[2]).z};
+        sim.run(1);
+        for (int k = 0; k < 3; ++k) {
+            const double moved = position(bodies[k]).z - before[k];
+            EXPECT_NEAR(moved, kH * velocity(bodies[k]).z, tol(1e-6, 2e-6)) << "step " << i << ", body " << k;
+        }
+    }
+    for (const dBodyID b : bodies) EXPECT_NEAR(position(b).z, 0.5, 0.001);
+}
+
 INSTANTIATE_TEST_SUITE_P(Steppers, SpeculativeContacts, testing::ValuesIn(kSteppers), case_name);
 
 }  // namespace
