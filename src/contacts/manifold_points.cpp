@@ -169,6 +169,7 @@ void inherit_impulses(const CachedManifold& was, Real size, CachedManifold& part
         part.manifold.points[i].normal_impulse = was.manifold.points[j].normal_impulse;
         part.manifold.points[i].friction_impulse = was.manifold.points[j].friction_impulse;
         part.manifold.rolling_impulse = was.manifold.rolling_impulse;
+        part.manifold.struck |= was.manifold.struck;
     }
 }
 

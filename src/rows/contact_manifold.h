@@ -4,7 +4,7 @@
 // The contact manifold of two bodies whose contacts the world manages, as solvers see it: up to four points
 // with one normal n. Floats suffice, because everything is relative to the bodies: an arm of one metre is
 // known to 60 nm wherever the bodies are. The impulses that a solver finds come back in the manifold and warm
-// start the next step.
+// start the next step, but not those of a blow.
 //
 //   u = v1 + w1 x r1 - v2 - w2 x r2       relative velocity at a point
 //   separation' = n . u                   negative: penetration beyond the layer
@@ -20,6 +20,8 @@
 namespace epode {
 
 inline constexpr int kManifoldPoints = 4;
+// Of normal impulses, from which on they are a blow's (step/island/blows.h).
+inline constexpr float kBlowShare = 0.1f;
 
 // The order of members matters here and below: kernels read groups of four floats at a time
 // (solve/substeps/manifold_gather.inc).
@@ -43,9 +45,16 @@ struct ContactManifold {
     float compliance;             // of each point, m/N; 0: rigid
     float damping_time;           // of a compliant point: damper over spring, s
     Float3 rolling_impulse;       // angular, on body1, over the whole step, N m s; in and out
+    bool struck;                  // in the last step: its impulses are a blow's, and say nothing of this one
     ManifoldPoint points[kManifoldPoints];
 
     bool special() const { return rolling_friction > 0 || compliance > 0; }
 };
+
+inline void clear_impulses(ContactManifold& manifold)
+{
+    manifold.rolling_impulse = {}, manifold.struck = false;
+    for (ManifoldPoint& point : manifold.points) point.normal_impulse = 0, point.friction_impulse = {};
+}
 
 }  // namespace epode

@@ -3,10 +3,11 @@
 //
 // The header of every state, checked before anything else is read: format, size, and a checksum of its bytes.
 // Sizes of both kinds, whole states and differences between two (state/delta.h), are multiples of four bytes.
-// The version must change whenever a part of the engine writes something else; the one before is still read:
-// files of worlds have it (tests/state/version_test.cpp).
+// The version must change whenever a part of the engine writes something else; those from kOldest on are
+// still read: files of worlds have them (tests/state/version_test.cpp).
 //   3 -> 4   contact manifolds (contacts/state/contact_format.h), the seed of dRand (state/world_state.h),
 //            checksum
+//   4 -> 5   manifolds that were struck (contacts/state/contact_format.h)
 #pragma once
 
 #include <cstddef>
@@ -19,7 +20,7 @@ namespace epode {
 
 struct StateHeader {
     static constexpr std::uint32_t kMagic = 0x74736e65;  // "enst"
-    static constexpr std::uint16_t kVersion = 4, kOldest = 3;
+    static constexpr std::uint16_t kVersion = 5, kOldest = 3;
     enum Kind : std::uint8_t { kWhole = 1, kDelta = 2 };
 
     std::uint32_t magic = kMagic;

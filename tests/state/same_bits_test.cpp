@@ -25,14 +25,14 @@ struct Golden {
     std::uint64_t saved, later;
 };
 
-constexpr Golden kGolden[2][8] = {{{0x2c466a7a05177929, 0xc8c5fc5ad9bbd44d},
-                                   {0xaf83a98290d607ea, 0x9f1c2fb4685f84a3},
-                                   {0x485555170ccae5dc, 0x9743d860ec62f73c},
-                                   {0x8dc516e2b1aaef64, 0xc25f14a46075dabc},
-                                   {0x03215c094e62cee3, 0x0aca38644eaa7680},
-                                   {0x16ff417b919d47eb, 0x11d56172caa90a33},
-                                   {0x5471674c534d7acf, 0x542a2785fc6868b3},
-                                   {0x1941c53d9d403f8c, 0x024e42cc46a7dc3f}},
+constexpr Golden kGolden[2][8] = {{{0xf4921cda4a2a44d4, 0x05167d64594ef010},
+                                   {0x58748c6919e309cf, 0xab5f42f791f8d286},
+                                   {0xd4cf611bf90ad729, 0xd27906bd76238531},
+                                   {0xc29ada563f66109b, 0xe83d8f57ca36e16b},
+                                   {0xaa1b0cfec745f5a2, 0x93622ea96bccec01},
+                                   {0x66309071f8ab889a, 0xd50c7ba17760791a},
+                                   {0x5707b3c78ef9320d, 0x35a23944ab40cca3},
+                                   {0x011d411dc67929d1, 0x6e76d58047887390}},
                                   {{0x65eb63c107c518ad, 0x2cc754064ede76b1},
                                    {0x24068d7df1f37e1e, 0x103166855b401a50},
                                    {0xed5b53b0b354decb, 0x25bccd4c435d6c13},

@@ -28,7 +28,14 @@
 namespace epode {
 
 // Of a pair.
-enum PairBit : std::uint32_t { kManifolds = 3, kWanted = 4, kTouched = 8, kRests = 16, kSeparatingAxis = 32 };
+enum PairBit : std::uint32_t {
+    kManifolds = 3,
+    kWanted = 4,
+    kTouched = 8,
+    kRests = 16,
+    kSeparatingAxis = 32,
+    kStruck = 64,  // one of its manifolds is: a word with a bit for each follows
+};
 // Of a manifold.
 enum ManifoldBit : std::uint32_t {
     kPoints = 7,
@@ -52,7 +59,7 @@ inline constexpr int kNarrowGeoms = 1 << 16;  // up to so many, the numbers of t
 // Bytes of a pair with its manifolds, at most.
 inline constexpr std::size_t kMaxManifoldBytes = sizeof(float) * (15 + 3 + 1 + 12 * kManifoldPoints);
 inline constexpr std::size_t kMaxPairBytes =
-    4 * sizeof(std::uint32_t) + kSurfaceManifolds * kMaxManifoldBytes;
+    5 * sizeof(std::uint32_t) + kSurfaceManifolds * kMaxManifoldBytes;
 
 // Writes the numbers of a manifold and returns its bits; kChanged is the caller's. `layer`: the usual one.
 std::uint32_t write_manifold(const CachedManifold& kept, float layer, std::byte*& to);

@@ -151,9 +151,13 @@ void ContactWorld::save_pair(const Listed& listed, float layer, const SpaceGeoms
     std::byte* const bits_at = to;
     word(0);
     if (separated) word(pair.separating_axis);
+    std::uint32_t struck = 0;
+    for (int i = 0; i < pair.count; ++i) struck |= std::uint32_t(listed.manifolds[i].manifold.struck) << i;
+    if (struck) word(struck);
     const std::uint32_t changes = described_.data()[n1].changes + described_.data()[n2].changes;
     std::uint32_t bits = pair.count | (pair.wanted ? kWanted : 0u) | (pair.touched ? kTouched : 0u) |
-                         (listed.rests ? kRests : 0u) | (separated ? kSeparatingAxis : 0u);
+                         (listed.rests ? kRests : 0u) | (separated ? kSeparatingAxis : 0u) |
+                         (struck ? kStruck : 0u);
     for (int i = 0; i < pair.count; ++i) {
         const CachedManifold& kept = listed.manifolds[i];
         std::uint32_t own = write_manifold(kept, layer, to);
@@ -235,14 +239,17 @@ bool ContactWorld::load_pair(const World& world, StateStream& stream, std::uint3
             "a contact with too many manifolds"))
         return true;
     if (bits & kSeparatingAxis) pair.separating_axis = stream.word(0);
+    const std::uint32_t struck = bits & kStruck ? stream.word(0) : 0;
     if ((pair.on_mesh = (a.is_mesh && b.is_solid) || (b.is_mesh && a.is_solid))) {
         pair.leaves = list.leaves.size();
         if (!list.leaves.push(NearLeaves{})) return false;
     }
     const auto layer = float(contact_layer(world));
-    for (int i = 0; i < pair.count && !stream.failed(); ++i)
-        load_manifold(bits_of_manifold(bits, i, stream.format()), a.changes + b.changes, layer, stream,
-                      list.manifolds.data()[int(used++)]);
+    for (int i = 0; i < pair.count && !stream.failed(); ++i) {
+        CachedManifold& kept = list.manifolds.data()[int(used++)];
+        load_manifold(bits_of_manifold(bits, i, stream.format()), a.changes + b.changes, layer, stream, kept);
+        kept.manifold.struck = struck >> i & 1;
+    }
     out.any_rests = out.any_rests || bits & kRests;
     (void)list.pairs.push(pair), (void)out.rests.push(bits & kRests ? 1 : 0);
     return true;

@@ -285,6 +285,7 @@ void ManifoldSet::choose_lane(const RowSystem& system, std::size_t b, int lane, 
     ManifoldBatch& batch = batches_[b];
     const int manifold = chosen_[b * kBroadLanes + std::size_t(lane)];
     const ContactManifold& p = manifold >= 0 ? *system.contact_manifolds[std::size_t(manifold)] : none;
+    if (p.struck) clear_impulses(*system.contact_manifolds[std::size_t(manifold)]);
     const auto choose = [&](int index, int& slot) {
         const bool moves = manifold >= 0 && dynamic(system.bodies, index);
         const int at = manifold >= 0 && index >= 0 ? index : int(system.bodies.size());
@@ -488,14 +489,16 @@ void ManifoldSet::follow_motion(std::span<const Velocity> bodies)
 void ManifoldSet::store_impulses(std::span<ContactManifold* const> manifolds) const
 {
     tasks_.each_of(int(batches_.size()), kBatchRange, [&](std::size_t b) {
-        BroadLanes along1[kManifoldPoints], along2[kManifoldPoints];
+        BroadLanes along1[kManifoldPoints], along2[kManifoldPoints], struck;
         const ManifoldBatch& batch = batches_[b];
         if (batch.friction) kernels_->share_friction(batch, along1, along2);
+        kernels_->find_blows(batch, points_.data() + batch.first, struck);
         for (int lane = 0; lane < batch.lanes; ++lane) {
             const int index = chosen_[b * kBroadLanes + std::size_t(lane)];
             if (index < 0) continue;
             ContactManifold& manifold = *manifolds[std::size_t(index)];
             if (batch.extra) store_couple(*batch.extra, lane, manifold);
+            manifold.struck = struck[lane] > 0;
             for (int i = 0; i < manifold.count; ++i) {
                 const std::size_t at = std::size_t(batch.first + i);
                 if (batch.friction)

@@ -18,6 +18,10 @@ namespace {
 
 using NumberPack = TwoVectors<Lanes>;
 
+// A contact that has closed exactly is open or not by rounding, and an open one is rigid where a closed one
+// is soft: up to this gap, in m, it counts as closed.
+constexpr Real kJustClosed = kSingle ? Real(1e-6) : Real(1e-10);
+
 // T: Real or NumberPack.
 template <typename T>
 struct PassInput {
@@ -28,7 +32,7 @@ template <typename T>
 [[gnu::always_inline]] inline void begin_pass(const PassInput<T>& in, T zero, T per_hs, T& c, T& C,
                                               T& effective_mass)
 {
-    const T separation = -in.error;
+    const T separation = -in.error - T(kJustClosed);
     const T bias = at_most(in.max_bias_velocity, in.rate * in.error);
     c = at_most(in.cap, if_positive(separation, per_hs * in.error, bias) + in.speed);
     C = if_positive(separation, zero, in.C);

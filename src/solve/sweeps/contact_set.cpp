@@ -235,7 +235,7 @@ void ContactSetOf<L>::fill_friction(const JointManifoldList& list, std::size_t b
             const Vec3 d = points[i].r1 - anchor;
             const Real x = dot(d, m.t1), y = dot(d, m.t2);
             to.x[i][lane] = Number(x), to.y[i][lane] = Number(y);
-            size += std::fabs(x) + std::fabs(y);
+            size += std::sqrt(x * x + y * y);
         }
         to.r1.set(lane, anchor);
         to.min_radius[lane] = Number(kMinRadius * size);

@@ -28,7 +28,7 @@ class ContactCache {
     // remembered of them into the points. The tickets of one writer follow each other.
     void load(int writer, int ticket, const Body& body1, const Body* body2, const JointManifold& manifold,
               std::span<JointManifoldPoint> points, Real share);
-    // The answer for a manifold that has been loaded under these tickets.
+    // The answer for a manifold that has been loaded under these tickets; without one it is zero.
     void remember(int ticket, const JointManifold& manifold, std::span<const JointManifoldPoint> points);
     // The step is over: what it noted is what the next one loads from.
     void end();

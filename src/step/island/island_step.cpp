@@ -9,6 +9,7 @@
 #include "dynamics/integrate.h"
 #include "joints/breaking.h"
 #include "step/island/assemble.h"
+#include "step/island/blows.h"
 #include "step/island/energy_ledger.h"
 #include "step/island/exact_substeps.h"
 #include "step/island/free_flight.h"
@@ -38,12 +39,6 @@ void contain(std::span<Body* const> bodies, std::span<Joint* const> joints)
 }
 
 constexpr int kManyIterations = 1000;  // from here on no more for settling islands
-
-void clear_impulses(ContactManifold& manifold)
-{
-    manifold.rolling_impulse = {};
-    for (ManifoldPoint& point : manifold.points) point.normal_impulse = 0, point.friction_impulse = {};
-}
 
 template <typename T>
 std::span<T> slice(std::span<T> all, int from, int to)
@@ -104,6 +99,7 @@ class IslandStep {
         settings.substep_ends = substep_ends_;
         settings.symbolic_cache = &context_.symbolic_cache;
         if (projects()) settings.refine_above = 1e-9;  // the projection corrects smaller errors of position
+        if (context_.solver.substeps && !blows_.begin(work_.system, arena_)) return false;
         load_warm_start(world_.warm_starting * context_.solver.warm_share);
         SolveReport solved;
         bool sane = context_.solver.solve(work_.system, settings, arena_, solved);
@@ -293,10 +289,11 @@ class IslandStep {
     {
         const RowSystem& system = work_.system;
         for (const JointManifold& m : system.joint_contacts.manifolds)
-            context_.contacts.remember(ticket_of_point(m.first), m, points_of(m));
+            if (!blows_.struck(system, m))
+                context_.contacts.remember(ticket_of_point(m.first), m, points_of(m));
         for (std::size_t k = 0; k < work_.joints.size(); ++k) {
             const RowBlock& block = system.blocks[k];
-            if (!block.contact) continue;
+            if (!block.contact || blows_.struck(system, k)) continue;
             JointManifoldPoint point{};
             for (int i = 0; i < std::min(block.count, 3); ++i)
                 point.p[i] = system.numbers[std::size_t(block.first + i)].p;
@@ -340,6 +337,7 @@ class IslandStep {
     std::span<Velocity> substep_ends_;  // if there is a ledger
     ExactSubsteps exact_substeps_;
     StrainWatch strain_;
+    Blows blows_;
     ProjectionReport projected_;
 };
 

@@ -168,7 +168,8 @@ void load_manifold_impulses(IslandWork& work, Real share)
 
 void store_manifold_impulses(const IslandWork& work)
 {
-    for (ManifoldEdge* edge : work.island.manifolds) edge->manifold->rolling_impulse = {};
+    for (ManifoldEdge* edge : work.island.manifolds)
+        edge->manifold->rolling_impulse = {}, edge->manifold->struck = false;
     for_points(work, [&](ContactManifold& manifold, ManifoldPoint& point, const RowBlock& block) {
         Vec3 friction, couple = widen(manifold.rolling_impulse);
         for (int k = 1; k < block.count; ++k) {

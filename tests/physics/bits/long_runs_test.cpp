@@ -105,16 +105,16 @@ std::uint64_t run(int scene, Stepper stepper, bool world_contacts)
 
 // Of each scene: exact, quick, fast in ODE's way, and the same with world-managed contacts.
 constexpr std::uint64_t kGolden[kLongScenes][6] = {
-    {0x730207500fca5fc4u, 0xe6b6e7dda209f59cu, 0xbddd5da7267a885du, 0xf583273fc1575a2cu, 0xc9918f5399db4a33u,
-     0x0d071c9457334d59u},
-    {0xf4837e1170ea160cu, 0xd37695d7dfddbf76u, 0x975c3b30a34139f9u, 0x63b227fe277ee722u, 0xffd43a6280144709u,
-     0xc77cba5cd3d21479u},
-    {0x1d5e3b6b6713960bu, 0xdbf189ea62895449u, 0xa6ad680ac5fe904fu, 0x52bdd8d0a3d6f4adu, 0x7a99fa2982caf5f4u,
-     0x00f728073323108eu},
-    {0xc06c9a28e6f33cc6u, 0x70abc34dae2340f2u, 0x9f07883061bb3577u, 0x571941d55c782f54u, 0x94a1e69b880ed303u,
-     0x2501ed4d0bc221efu},
-    {0x3e65810f493564b5u, 0x55b52a8026e8ec75u, 0x2ce7a6fce980b0f9u, 0x26cc74f9c399c59fu, 0xc13e37290deba6c6u,
-     0xf0b32f37745b6588u}};
+    {0x730207500fca5fc4u, 0xe6b6e7dda209f59cu, 0x9ab74fb3dbd135d0u, 0xf583273fc1575a2cu, 0xc9918f5399db4a33u,
+     0x56647eec953a0312u},
+    {0xf4837e1170ea160cu, 0xd37695d7dfddbf76u, 0xfe951a35ebab5740u, 0x63b227fe277ee722u, 0xffd43a6280144709u,
+     0xc16b2d9beed8f08bu},
+    {0x1d5e3b6b6713960bu, 0xdbf189ea62895449u, 0xfde0575b0697fd91u, 0x52bdd8d0a3d6f4adu, 0x7a99fa2982caf5f4u,
+     0x7d0fcfdb1c8b5ebfu},
+    {0xc06c9a28e6f33cc6u, 0x70abc34dae2340f2u, 0x467d9b6d73a9295cu, 0x571941d55c782f54u, 0x94a1e69b880ed303u,
+     0x2c123b97c6be6a9au},
+    {0x3e65810f493564b5u, 0x55b52a8026e8ec75u, 0xf68fddc07e42224eu, 0x26cc74f9c399c59fu, 0xc13e37290deba6c6u,
+     0xde1c2e2f319f31d4u}};
 
 class LongRuns : public testing::TestWithParam<int> {};
 

@@ -117,6 +117,10 @@ INSTANTIATE_TEST_SUITE_P(Substeps, TurnedScene,
                          testing::Combine(testing::Values(Stepper::kFast), testing::Values(false),
                                           testing::Bool()),
                          turned_name);
+INSTANTIATE_TEST_SUITE_P(SubstepsOfTheWorldsContacts, TurnedScene,
+                         testing::Combine(testing::Values(Stepper::kFast), testing::Values(true),
+                                          testing::Values(false)),
+                         turned_name);
 
 }  // namespace
 }  // namespace epode::physics
