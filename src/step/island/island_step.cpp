@@ -101,6 +101,7 @@ class IslandStep {
         if (projects()) settings.refine_above = 1e-9;  // the projection corrects smaller errors of position
         if (context_.solver.substeps && !blows_.begin(work_.system, arena_)) return false;
         load_warm_start(world_.warm_starting * context_.solver.warm_share);
+        if (projects() && !tension && !note_starts()) return false;
         SolveReport solved;
         bool sane = context_.solver.solve(work_.system, settings, arena_, solved);
         if (!context_.factorisations.empty())
@@ -176,8 +177,22 @@ class IslandStep {
     void project(const Tasks& tasks)
     {
         if (ledger_.wanted()) ledger_.begin_correction();
-        projected_ = project_poses(world_, work_, tasks, context_.symbolic_cache, arena_);
+        const Real lost = starts_.empty() ? 0 : lost_to_joints(work_, starts_);
+        projected_ = project_poses(world_, work_, tasks, context_.symbolic_cache, arena_, lost);
         if (ledger_.wanted()) ledger_.end_correction();
+        if (projected_.turned) write_joints_again(work_);
+    }
+
+    // False: out of memory.
+    bool note_starts()
+    {
+        starts_ = arena_.take<Velocity>(int(work_.island.bodies.size()));
+        if (arena_.failed()) return false;
+        for (std::size_t i = 0; i < starts_.size(); ++i) {
+            const Body& body = *work_.island.bodies[i];
+            starts_[i] = {body.velocity(), 0, body.angular_velocity(), 0};
+        }
+        return true;
     }
 
     int iterations() const
@@ -339,6 +354,7 @@ class IslandStep {
     StrainWatch strain_;
     Blows blows_;
     ProjectionReport projected_;
+    std::span<Velocity> starts_;  // velocities before the step, if the projection may turn them
 };
 
 }  // namespace

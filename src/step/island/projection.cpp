@@ -21,14 +21,21 @@
 // pile that is wedged pushes itself apart for ever. They keep half the tolerance, so that they are found
 // again.
 //
-// Velocities stay as the step has left them: the next step's solve projects them onto the constraints of the
-// corrected pose in any case, and that removes energy (a spin w loses the share (w h)^2), never adds any.
-// Rejected, tried on the chains of docs/solvers.md: adding dx/h to the velocities, with dx along the old rows
-// (SHAKE, Ryckaert, Ciccotti & Berendsen, J. Comp. Phys. 23, 1977) or along the new ones. That loses no
-// energy while w h is small, and gains without bound once a load of a hundred links shakes the chain.
+// The next step's solve projects the velocities onto the constraints of the corrected pose, and that takes
+// energy: of a spin w the share (w h)^2, from a pendulum 30 % in 20 s with steps of 5 ms. So the velocities take
+// the impulses of the projection, too, along the rows J0 of the step (SHAKE, Ryckaert, Ciccotti & Berendsen,
+// J. Comp. Phys. 23, 1977):
+//
+//   v <- v + s M^-1 J0^T mu/h,     mu: of the equalities of joints, summed over Newton's steps
+//
+// With s = 1 energy grows without bound once a load of a hundred links shakes the chain. Therefore s is such
+// that no more comes back than these rows have taken in this step, and 0 where SHAKE has no business: joints
+// that the step opened by more than kLongTurn of their levers, raised masses (tension), and rotors of drives,
+// whose inertia is not in M. Rejected: mu along the new rows, which the next solve takes away again.
 #include "step/island/projection.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "dynamics/integrate.h"
 #include "joints/drive_rows.h"
@@ -42,6 +49,7 @@ namespace {
 constexpr Real kSpringShare = Real(1e-3);            // of the inverse_mass, above which softness is meant
 constexpr double kSoftness = kSingle ? 1e-6 : 1e-9;  // of the inverse_mass, for redundant rows
 constexpr Real kLargestTurn = 1;                     // rad, of one Newton step
+constexpr Real kLongTurn = Real(0.03);               // opening relative to the lever, about (w h)^2/2
 constexpr std::size_t kFewRows = 64;
 constexpr int kMaxHalvings = 5;
 
@@ -58,6 +66,15 @@ bool is_spring(const Row& row, const RowBlock& block, const RowSystem& system)
     if (row.drive) return true;
     return row.cfm / system.h > kSpringShare * inverse_effective_mass(system, block, row, system.bodies);
 }
+
+// Holds a joint together, and nothing else.
+bool is_equality(const Row& row)
+{
+    return row.kind == RowKind::kLock && row.lo == -kInf && row.hi == kInf && !row.drive;
+}
+
+// Blocks of joints between two bodies at most.
+bool has_equalities(const RowBlock& block) { return !block.contact && block.term_count == 0; }
 
 struct PoseBefore {
     Vec3 p;
@@ -89,6 +106,8 @@ class Projection {
         from_ = arena_.take<int>(blocks);
         system_.bodies = arena_.take<SolverBody>(bodies);
         poses_ = arena_.take<PoseBefore>(bodies);
+        impulses_ = arena_.take_zeroed<Real>(rows);
+        change_ = arena_.take<Velocity>(bodies);
         system_.terms = arena_.take<WideTerm>(int(work_.system.terms.size()));
         system_.h = 1;
         if (arena_.failed()) return false;
@@ -101,6 +120,7 @@ class Projection {
     {
         ProjectionReport report;
         measure();
+        opened_ = worst_;
         while (worst_ > world_.projection_tolerance && report.iterations < world_.projection_iterations) {
             ++report.iterations;
             if (!improve(tasks)) break;
@@ -108,6 +128,24 @@ class Projection {
         report.error = double(worst_);
         report.open = worst_ > world_.projection_tolerance;
         return report;
+    }
+
+    // Velocities after the projection, `lost`: what the step has taken from them. True: they have changed, and
+    // impulses of the step with them.
+    bool turn_velocities(Real lost)
+    {
+        if (!(lost > 0) || !(opened_ <= kLongTurn)) return false;
+        set_change();
+        const Real s = share_within(lost);
+        if (!(s > 0)) return false;
+        for (std::size_t i = 0; i < change_.size(); ++i) {
+            store(body(i).lvel, body(i).velocity() + s * change_[i].v);
+            store(body(i).avel, body(i).angular_velocity() + s * change_[i].w);
+        }
+        for_equalities([&](const RowBlock&, std::size_t i) {
+            work_.system.numbers[std::size_t(holds_[i].source)].p += s * impulses_[i] / work_.system.h;
+        });
+        return true;
     }
 
   private:
@@ -228,7 +266,7 @@ class Projection {
         std::copy(holds_.begin(), holds_.end(), before_.begin());
         for (int k = 0; k <= kMaxHalvings; ++k, share /= 2) {
             move(share);
-            if (merit_ < merit) return true;
+            if (merit_ < merit) return note_impulses(share), true;
         }
         move(0);
         return false;
@@ -243,6 +281,56 @@ class Projection {
         settings.symbolic_cache = &symbolic_cache_;
         SolveReport report;
         return kDirect.solve(system_, settings, arena_, report);
+    }
+
+    void note_impulses(Real share)
+    {
+        for (std::size_t i = 0; i < holds_.size(); ++i) impulses_[i] += share * system_.numbers[i].p;
+    }
+
+    // f(block, row of the projection)
+    template <typename F>
+    void for_equalities(F&& f) const
+    {
+        for (const RowBlock& block : system_.blocks)
+            for (int i = block.first; has_equalities(block) && i < block.first + block.count; ++i)
+                if (is_equality(step_row(holds_[std::size_t(i)]))) f(block, std::size_t(i));
+    }
+
+    // M^-1 J0^T mu/h
+    void set_change()
+    {
+        std::fill(change_.begin(), change_.end(), Velocity{});
+        for_equalities([&](const RowBlock& block, std::size_t i) {
+            const Row& row = step_row(holds_[i]);
+            const Real p = impulses_[i] / work_.system.h;
+            Velocity& a = change_[std::size_t(block.body1)];
+            a.v += p * row.lin1, a.w += p * row.ang1;
+            if (block.body2 < 0) return;
+            Velocity& b = change_[std::size_t(block.body2)];
+            b.v += p * row.lin2, b.w += p * row.ang2;
+        });
+        for (std::size_t i = 0; i < change_.size(); ++i) {
+            const SolverBody& b = work_.system.bodies[i];
+            change_[i].v = b.inv_mass * change_[i].v, change_[i].w = b.inv_inertia * change_[i].w;
+        }
+    }
+
+    // The largest share of the change, up to 1, that raises the energy by no more than that:
+    //   s a + s^2 b/2 <= energy,   a = v.M dv,  b = dv.M dv
+    Real share_within(Real energy) const
+    {
+        Real a = 0, b = 0;
+        for (std::size_t i = 0; i < change_.size(); ++i) {
+            const Velocity& dv = change_[i];
+            const SolverBody& m = work_.system.bodies[i];
+            const Vec3 P = m.mass * dv.v, L = m.inertia * dv.w;
+            a += dot(P, body(i).velocity()) + dot(L, body(i).angular_velocity());
+            b += dot(P, dv.v) + dot(L, dv.w);
+        }
+        if (!usable(a) || !usable(b)) return 0;
+        if (a + b / 2 <= energy) return 1;
+        return std::min(Real(1), 2 * energy / (a + std::sqrt(a * a + 2 * b * energy)));
     }
 
     void load_bodies()
@@ -332,6 +420,9 @@ class Projection {
     std::span<Hold> holds_, before_;  // parallel to its rows
     std::span<int> from_;             // block of the step that a block is of
     std::span<PoseBefore> poses_;
+    std::span<Real> impulses_;    // of the rows, of all steps
+    std::span<Velocity> change_;  // of the bodies, with s = 1
+    Real opened_ = 0;             // worst_ at the beginning
     bool one_sided_ = false;
     Real worst_ = 0, merit_ = 0;  // largest e/l, sum of its squares
 };
@@ -350,11 +441,34 @@ void leave_depth_to_projection(RowSystem& system)
 }
 
 ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks,
-                               SymbolicCache& symbolic_cache, Arena& arena)
+                               SymbolicCache& symbolic_cache, Arena& arena, Real lost)
 {
     Arena::Scope scope(arena);
     Projection projection(world, work, symbolic_cache, arena);
-    return projection.prepare() ? projection.run(tasks) : ProjectionReport{};
+    if (!projection.prepare()) return {};
+    ProjectionReport report = projection.run(tasks);
+    report.turned = report.iterations > 0 && projection.turn_velocities(lost);
+    return report;
+}
+
+Real lost_to_joints(const IslandWork& work, std::span<const Velocity> starts)
+{
+    Real taken = 0;
+    for (const RowBlock& block : work.system.blocks)
+        for (int i = block.first; has_equalities(block) && i < block.first + block.count; ++i) {
+            const Row& row = work.system.rows[std::size_t(i)];
+            if (row.drive && row.drive->inertia > 0) return 0;
+            if (!is_equality(row)) continue;
+            const auto rate = [&](int body, Vec3 lin, Vec3 ang) {
+                if (body < 0) return Real(0);
+                const Velocity& start = starts[std::size_t(body)];
+                const SolverBody& end = work.system.bodies[std::size_t(body)];
+                return dot(lin, start.v + end.v) + dot(ang, start.w + end.w);
+            };
+            const Real u = rate(block.body1, row.lin1, row.ang1) + rate(block.body2, row.lin2, row.ang2);
+            taken -= work.system.numbers[std::size_t(i)].p * u / 2;
+        }
+    return taken;
 }
 
 }  // namespace epode

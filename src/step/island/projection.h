@@ -5,6 +5,7 @@
 // reached.
 #pragma once
 
+#include "solve/common/velocities.h"
 #include "solve/exact/factor/symbolic_cache.h"
 #include "step/island/assemble.h"
 #include "tasks/tasks.h"
@@ -13,16 +14,21 @@ namespace epode {
 
 struct ProjectionReport {
     int iterations = 0;
-    double error = 0;   // worst left, relative to the levers
-    bool open = false;  // above the tolerance still
+    double error = 0;     // worst left, relative to the levers
+    bool open = false;    // above the tolerance still
+    bool turned = false;  // velocities and impulses have changed
 };
 
 // With a projection to follow, velocities need not push bodies out of contacts and back from stops.
 void leave_depth_to_projection(RowSystem& system);
 
+// What the joints' equalities have taken of the energy of motion, from the velocities at the start of the step to
+// those of the solution; 0 with rotors.
+Real lost_to_joints(const IslandWork& work, std::span<const Velocity> starts);
+
 // The island's poses have been advanced by h with the velocities that its bodies have, its joints remember
-// the impulses of this step. Velocities stay. Out of memory: so do poses.
+// the impulses of this step. `lost`: energy that velocities may gain. Out of memory: all stays.
 ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks,
-                               SymbolicCache& symbolic_cache, Arena& arena);
+                               SymbolicCache& symbolic_cache, Arena& arena, Real lost = 0);
 
 }  // namespace epode

@@ -50,6 +50,28 @@ void for_each_coupling(const IslandWork& work, F&& f)
         if (work.system.blocks[k].term_count > 0) f(coupling_of(*work.joints[k]), work.system.blocks[k]);
 }
 
+void write_joints(const IslandWork& work)
+{
+    const bool coupled = !work.system.terms.empty();
+    if (coupled)
+        for_each_coupling(
+            work, [](CouplingJoint& coupling, const RowBlock&) { clear_feedback_of_members(coupling); });
+    for (std::size_t k = 0; k < work.joints.size(); ++k) {
+        Joint& joint = *work.joints[k];
+        const RowBlock& block = work.system.blocks[k];
+        if (!block.contact) keep_impulses(joint, block, work.system);
+        if (joint.driven) store_drive_forces(joint, block, work.system), add_load(joint, block, work.system);
+        if (joint.feedback) write_feedback(joint, block, work.system);
+    }
+    if (coupled)
+        for_each_coupling(work, [&](CouplingJoint& coupling, const RowBlock& block) {
+            coupling.force = 0;
+            for (int i = block.first; i < block.first + block.count; ++i)
+                coupling.force += work.system.numbers[std::size_t(i)].p / work.system.h;
+            add_feedback_of_members(coupling);
+        });
+}
+
 bool is_sound(const SolverBody& b)
 {
     const Vec3 sum = abs(b.v) + abs(b.w);  // what is not a number stays so
@@ -102,30 +124,20 @@ void write_back(const IslandWork& work, const Tasks& tasks)
         store(work.island.bodies[i]->lvel, work.system.bodies[i].v);
         store(work.island.bodies[i]->avel, work.system.bodies[i].w);
     });
-    const bool coupled = !work.system.terms.empty();
-    if (coupled)
-        for_each_coupling(
-            work, [](CouplingJoint& coupling, const RowBlock&) { clear_feedback_of_members(coupling); });
-    for (std::size_t k = 0; k < work.joints.size(); ++k) {
-        Joint& joint = *work.joints[k];
-        const RowBlock& block = work.system.blocks[k];
-        if (!block.contact) keep_impulses(joint, block, work.system);
-        if (joint.driven) store_drive_forces(joint, block, work.system), add_load(joint, block, work.system);
-        if (joint.feedback) write_feedback(joint, block, work.system);
-    }
-    if (coupled)
-        for_each_coupling(work, [&](CouplingJoint& coupling, const RowBlock& block) {
-            coupling.force = 0;
-            for (int i = block.first; i < block.first + block.count; ++i)
-                coupling.force += work.system.numbers[std::size_t(i)].p / work.system.h;
-            add_feedback_of_members(coupling);
-        });
+    write_joints(work);
     if (!work.contact_feedback) return;
     const JointManifoldList& list = work.system.joint_contacts;
     for (const JointManifold& m : list.manifolds)
         for (auto i = std::size_t(m.first); i < std::size_t(m.first + m.count); ++i)
             if (work.contacts[i]->feedback)
                 write_feedback(*work.contacts[i], m, list.points[i], work.system.h);
+}
+
+void write_joints_again(const IslandWork& work)
+{
+    for (Joint* joint : work.joints)
+        if (joint->driven) forget_load(*joint);
+    write_joints(work);
 }
 
 }  // namespace epode

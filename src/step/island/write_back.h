@@ -14,5 +14,7 @@ bool sound(const RowSystem& system, int part, const Tasks& tasks = Tasks(1));
 
 // Velocities to the bodies, impulses and feedback to the joints.
 void write_back(const IslandWork& work, const Tasks& tasks);
+// Impulses and feedback once more, where impulses have changed since.
+void write_joints_again(const IslandWork& work);
 
 }  // namespace epode
