@@ -32,10 +32,11 @@ bool append(JointNode& node, Body& body, JointNode* last)
     return true;
 }
 
+// A joint that has lost its bodies, or was attached to (0, 0), may be reversed still.
 bool is_sound(const Joint& joint)
 {
     const Body *a = joint.body1(), *b = joint.body2();
-    if (!a) return !b && !joint.reverse;
+    if (!a) return !b;
     return a != b && !(joint.reverse && b) && (b || !joint.type->needs_two_bodies);
 }
 

@@ -107,6 +107,31 @@ TEST(Clones, have_the_behaviour_of_the_original)
     EXPECT_EQ(dWorldGetBehaviour(Copy::loaded(scene).running.world), dBehaviour016);
 }
 
+// dJointAttach(joint, 0, 0) and a destroyed body leave a joint reversed that has no bodies.
+TEST(Clones, have_joints_that_have_lost_their_bodies)
+{
+    const Messages messages;
+    const dWorldID world = dWorldCreate();
+    const dBodyID body = dBodyCreate(world);
+    for (int i = 0; i < 3; ++i) {
+        const dJointID joint = dJointCreateHinge(world, nullptr);
+        dJointAttach(joint, i == 1 ? body : nullptr, i == 2 ? body : nullptr);
+        if (i == 1) dJointAttach(joint, nullptr, nullptr);
+    }
+    dBodyDestroy(body);
+    Bytes state(dWorldGetStateSize(world)), file = file_of(world, nullptr);
+    ASSERT_EQ(dWorldGetState(world, state.data(), state.size()), 1);
+    for (const dWorldID copy :
+         {dWorldClone(world, nullptr, nullptr, 0), dWorldLoadFromBuffer(file.data(), file.size(), nullptr)}) {
+        ASSERT_TRUE(copy) << Messages::last();
+        EXPECT_EQ(difference(state_of(copy), state), "");
+        EXPECT_EQ(file_of(copy, nullptr), file);
+        dWorldDestroy(copy);
+    }
+    dWorldDestroy(world);
+    EXPECT_EQ(Messages::count(), 0) << Messages::last();
+}
+
 TEST(Files, are_written_whole_and_read_again)
 {
     const Messages messages;
