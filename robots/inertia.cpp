@@ -48,6 +48,87 @@ Inertia capsule(double r, double half)
     return {shaft.mass + ball, {}, diagonal(side, side, shaft.tensor[2][2] + 0.4 * ball * r * r)};
 }
 
+// Second moments of an area of that size about the origin become inertias: I = tr(M) 1 - M.
+Inertia shell(double area, Vec moments)
+{
+    return {area, {}, diagonal(moments.y + moments.z, moments.x + moments.z, moments.x + moments.y)};
+}
+
+Inertia box_shell(Vec h)
+{
+    const Vec faces{8 * h.y * h.z, 8 * h.x * h.z, 8 * h.x * h.y};  // pairs of them
+    const double area = faces.x + faces.y + faces.z;
+    return shell(area, {h.x * h.x / 3 * (area + 2 * faces.x), h.y * h.y / 3 * (area + 2 * faces.y),
+                        h.z * h.z / 3 * (area + 2 * faces.z)});
+}
+
+Inertia cylinder_shell(double r, double half)
+{
+    const double side = 4 * std::numbers::pi * r * half, ends = 2 * std::numbers::pi * r * r;
+    const double across = side * r * r / 2 + ends * r * r / 4;
+    return shell(side + ends, {across, across, half * half * (side / 3 + ends)});
+}
+
+// Half a spherical shell has its centre at r/2, and r^2/3 as its mean square of each coordinate.
+Inertia capsule_shell(double r, double half)
+{
+    const double side = 4 * std::numbers::pi * r * half, ball = 4 * std::numbers::pi * r * r;
+    const double across = side * r * r / 2 + ball * r * r / 3;
+    return shell(side + ball,
+                 {across, across, side * half * half / 3 + ball * (r * r / 3 + half * r + half * half)});
+}
+
+// What lies between the ellipsoids r and r + e, e -> 0, with the mass of the area.
+Inertia ellipsoid_shell(Vec r)
+{
+    constexpr double kThomsen = 1.6075;
+    const auto power = [](double x) { return std::pow(x, kThomsen); };
+    const double area = 4 * std::numbers::pi *
+                        std::pow((power(r.x * r.y) + power(r.x * r.z) + power(r.y * r.z)) / 3, 1 / kThomsen);
+    const double grown = 1 / r.x + 1 / r.y + 1 / r.z;
+    const auto moment = [&](double its) { return area / 5 * its * (its + 2 / grown); };
+    return shell(area, {moment(r.x), moment(r.y), moment(r.z)});
+}
+
+// A triangle of area A with the corners r_i from its centre has the second moments A/12 sum_i r_i r_i^T.
+Inertia mesh_shell(const Mesh& mesh)
+{
+    Inertia out;
+    for (const auto& t : mesh.triangles) {
+        const Vec a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
+        const double area = length(cross(b - a, c - a)) / 2;
+        Inertia one{area, (1.0 / 3) * (a + b + c), {}};
+        for (const Vec& corner : {a, b, c})
+            one.tensor = one.tensor + point_inertia(area / 12, corner - one.centre);
+        out = sum_of(out, one);
+    }
+    return out;
+}
+
+Inertia shell_in_its_frame(const Shape& shape, const std::vector<Mesh>& meshes)
+{
+    const Vec s = shape.size;
+    switch (shape.kind) {
+        case ShapeKind::kSphere:
+            return ellipsoid_shell({s.x, s.x, s.x});
+        case ShapeKind::kBox:
+            return box_shell(s);
+        case ShapeKind::kEllipsoid:
+            return ellipsoid_shell(s);
+        case ShapeKind::kCylinder:
+            return cylinder_shell(s.x, s.y);
+        case ShapeKind::kCapsule:
+            return capsule_shell(s.x, s.y);
+        case ShapeKind::kHull:
+        case ShapeKind::kTriangles:
+            return shape.mesh >= 0 ? mesh_shell(meshes[size_t(shape.mesh)]) : Inertia{};
+        case ShapeKind::kPlane:
+        case ShapeKind::kHeights:
+            return {};
+    }
+    return {};
+}
+
 Inertia in_its_frame(const Shape& shape, const std::vector<Mesh>& meshes)
 {
     const Vec s = shape.size;
@@ -92,6 +173,11 @@ Inertia moved(const Inertia& inertia, const Pose& pose)
 Inertia inertia_of(const Shape& shape, const std::vector<Mesh>& meshes)
 {
     return moved(in_its_frame(shape, meshes), shape.pose);
+}
+
+Inertia shell_of(const Shape& shape, const std::vector<Mesh>& meshes)
+{
+    return moved(shell_in_its_frame(shape, meshes), shape.pose);
 }
 
 Inertia with_mass(Inertia inertia, double mass)

@@ -18,6 +18,9 @@ struct Inertia {
 
 // Of the whole shape at density 1, in the link's frame. Zero for planes and height fields, and for triangles that enclose nothing.
 Inertia inertia_of(const Shape& shape, const std::vector<Mesh>& meshes);
+// Of its surface at mass 1 per area. An ellipsoid's area is Thomsen's approximation, within 1.1 %, and its thickness is the same
+// along each axis, as MuJoCo has it.
+Inertia shell_of(const Shape& shape, const std::vector<Mesh>& meshes);
 Inertia with_mass(Inertia inertia, double mass);
 Inertia sum_of(const Inertia& a, const Inertia& b);
 Inertia moved(const Inertia& inertia, const Pose& pose);

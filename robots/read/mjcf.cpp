@@ -150,7 +150,7 @@ void Mjcf::read_assets(const Element& section)
         const Attributes attributes = defaults_.of(element, "", reading_);
         Asset asset;
         asset.element = element;
-        asset.file = file;
+        asset.file = file, asset.inertia = attributes.text("inertia");
         vec(attributes, "scale", asset.scale), vec(attributes, "refpos", asset.reference.p);
         std::vector<double> q;
         if (list(attributes, "refquat", 4, 4, q)) asset.reference.q = normalised({q[0], q[1], q[2], q[3]});

@@ -36,9 +36,10 @@ class Mjcf {
     };
     struct Asset {
         Element element;
-        std::string file, path_folder;
+        std::string file, inertia;  // of a mesh: legacy, exact, convex or shell
         Vec scale{1, 1, 1};
         Pose reference;  // what of the file is the mesh's frame
+        Pose placed;     // of the scaled mesh in the geom's frame
         int mesh = -1;
         bool tried = false;
     };
@@ -83,10 +84,12 @@ class Mjcf {
     bool read_mesh(const Attributes& attributes, const std::string& type, Shape& shape);
     bool has_good_size(const Attributes& attributes, const std::string& type, Shape& shape);
     void add_mass(const Attributes& attributes, const Shape& shape, Inertia& of_geoms);
+    Inertia unit_inertia(const Attributes& attributes, const Shape& shape) const;
     void finish_link(Link& link, const Inertia& of_geoms, const Inertia* inertial);
     Pose pose_of(const Attributes& attributes);
     Quat turn_of_euler(Vec angles) const;
     int inline_mesh(const Asset& asset, bool counts_folds);
+    void place(Asset& asset);
     Asset* mesh_named(const std::string& name, const Element& where);
     const Frame* site_named(const std::string& name) const;  // null: none
     bool has_no_place(const Element& element);

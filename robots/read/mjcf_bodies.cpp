@@ -29,6 +29,15 @@ bool take_hull(Mesh& mesh)
     return !hull.is_empty();
 }
 
+// Each principal moment by itself, to at least the bound.
+void raise_moments(Matrix& inertia, Quat guess, double bound)
+{
+    const PrincipalAxes axes = principal_axes(inertia, guess);
+    const Vec m{std::max(axes.moments.x, bound), std::max(axes.moments.y, bound),
+                std::max(axes.moments.z, bound)};
+    inertia = rotated({{{m.x, 0, 0}, {0, m.y, 0}, {0, 0, m.z}}}, axes.q);
+}
+
 JointKind kind_of(const std::string& type)
 {
     return type == "slide" ? JointKind::kSlide : type == "ball" ? JointKind::kBall : JointKind::kHinge;
@@ -296,18 +305,41 @@ Mjcf::Asset* Mjcf::mesh_named(const std::string& name, const Element& where)
     Asset& asset = it->second;
     if (asset.tried) return asset.mesh < 0 ? nullptr : &asset;
     asset.tried = true;
-    const std::string inertia = asset.element.text("inertia");
-    const bool counts_folds = inertia.empty() || inertia == "legacy";
-    if (asset.element.text("file").empty()) {
+    const bool counts_folds = asset.inertia.empty() || asset.inertia == "legacy";
+    if (asset.element.text("file").empty())
         asset.mesh = inline_mesh(asset, counts_folds);
-        return asset.mesh < 0 ? nullptr : &asset;
-    }
-    asset.mesh = reading_.mesh({Note::kError, asset.element.file(), asset.element.line()},
-                               {asset.file, folder_of(root_.file()), asset.scale, counts_folds});
-    return asset.mesh < 0 ? nullptr : &asset;
+    else
+        asset.mesh = reading_.mesh({Note::kError, asset.element.file(), asset.element.line()},
+                                   {asset.file, folder_of(root_.file()), asset.scale, counts_folds});
+    if (asset.mesh < 0) return nullptr;
+    place(asset);
+    return &asset;
 }
 
-// Kind and size, and the pose that fromto means. False: nothing to add; the report has why.
+// A vertex v of the file is S R^T (v - p) of the geom's frame, for the scale S and the reference (p, R). Meshes have S v, so that
+// is a pose where S and R^T may change places; else the mesh gets vertices of its own.
+void Mjcf::place(Asset& asset)
+{
+    const Vec s = asset.scale, p = asset.reference.p;
+    const Quat back = conjugate(asset.reference.q);
+    const bool may_change = std::fabs(back.w) == 1 || (s.x == s.y && s.y == s.z);
+    if (may_change || s.x * s.y * s.z == 0) {
+        asset.placed = inverse(Pose{scaled(p, s), asset.reference.q});
+        return;
+    }
+    if (asset.element.has("file")) {  // other assets may have this file, too
+        model_.meshes.push_back(model_.meshes[size_t(asset.mesh)]);
+        asset.mesh = int(model_.meshes.size()) - 1;
+    }
+    Mesh& mesh = model_.meshes[size_t(asset.mesh)];
+    scale_mesh(mesh, {1 / s.x, 1 / s.y, 1 / s.z});
+    for (Vec& v : mesh.vertices) v = rotate(back, v - p);
+    scale_mesh(mesh, s);
+    mesh.path.clear(), mesh.scale = {1, 1, 1};
+}
+
+// Kind and size, and the pose that fromto means: across it a shape has its first size, in both directions. False: nothing to
+// add; the report has why.
 bool Mjcf::read_size(const Attributes& a, const std::string& type, Shape& shape)
 {
     static const std::map<std::string, ShapeKind> kinds{
@@ -322,14 +354,13 @@ bool Mjcf::read_size(const Attributes& a, const std::string& type, Shape& shape)
     shape.kind = kind->second;
     std::vector<double> size, ends;
     list(a, "size", 1, 3, size);
-    const double second = size.size() > 1 ? size[1] : size.empty() ? 0 : size[0];
     size.resize(3, 0);
     shape.size = {size[0], size[1], size[2]};
     if (list(a, "fromto", 6, 6, ends)) {
         const Vec from{ends[0], ends[1], ends[2]}, to{ends[3], ends[4], ends[5]};
         const double half = length(to - from) / 2;
         shape.pose = {0.5 * (from + to), turn_of_z(from - to)};
-        shape.size = is_round(shape.kind) ? Vec{size[0], half, 0} : Vec{size[0], second, half};
+        shape.size = is_round(shape.kind) ? Vec{size[0], half, 0} : Vec{size[0], size[0], half};
     }
     return has_good_size(a, type, shape);
 }
@@ -341,7 +372,7 @@ bool Mjcf::read_mesh(const Attributes& a, const std::string& type, Shape& shape)
         reading_.note(Note::kApproximated, a.element(), "a " + type + " fitted to a mesh is the mesh");
     const Asset* asset = mesh_named(a.text("mesh"), a.element());
     if (!asset) return false;
-    shape.mesh = asset->mesh, shape.pose = shape.pose * inverse(asset->reference);
+    shape.mesh = asset->mesh, shape.pose = shape.pose * asset->placed;
     return true;
 }
 
@@ -392,10 +423,24 @@ void Mjcf::add_mass(const Attributes& a, const Shape& shape, Inertia& of_geoms)
     double group = 0, mass = -1, density = kWater;
     number(a, "group", group);
     if (group < compiler_.low_group || group > compiler_.high_group) return;
-    const Inertia one = inertia_of(shape, model_.meshes);
+    const Inertia one = unit_inertia(a, shape);
     number(a, "density", density);
     if (!number(a, "mass", mass)) mass = density * one.mass;
     if (mass > 0 && one.mass > 0) of_geoms = sum_of(of_geoms, with_mass(one, mass));
+}
+
+// At density 1, of a shell per area: as the geom says, or the asset of a mesh.
+Inertia Mjcf::unit_inertia(const Attributes& a, const Shape& shape) const
+{
+    const auto asset = assets_.find(a.text("mesh"));
+    const std::string its = shape.mesh >= 0 && asset != assets_.end() ? asset->second.inertia : "";
+    if (its == "shell" || a.text("shellinertia") == "true") return shell_of(shape, model_.meshes);
+    if (its != "convex") return inertia_of(shape, model_.meshes);
+    Mesh hull = model_.meshes[size_t(shape.mesh)];
+    hull.triangles.clear();
+    Shape solid = shape;
+    solid.mesh = 0;
+    return take_hull(hull) ? inertia_of(solid, {hull}) : Inertia{};
 }
 
 void Mjcf::finish_link(Link& link, const Inertia& of_geoms, const Inertia* inertial)
@@ -406,16 +451,14 @@ void Mjcf::finish_link(Link& link, const Inertia& of_geoms, const Inertia* inert
     link.inertia_axes = its.axes;
     link.has_inertial = its.mass > 0;
     link.mass = std::max(link.mass, compiler_.bound_mass);
+    if (compiler_.bound_inertia > 0 && principal_moments(link.inertia)[0] < compiler_.bound_inertia)
+        raise_moments(link.inertia, link.inertia_axes, compiler_.bound_inertia);
     if (compiler_.balance && !fault_of(link.inertia).empty() && link.mass > 0) {
         const auto m = principal_moments(link.inertia);
         const double mean = (m[0] + m[1] + m[2]) / 3;
         link.inertia = {{{mean, 0, 0}, {0, mean, 0}, {0, 0, mean}}};
         reading_.model.report.push_back(
             {Note::kChanged, root_.file(), link.line, "inertia of '" + link.name + "' balanced"});
-    }
-    if (compiler_.bound_inertia > 0 && principal_moments(link.inertia)[0] < compiler_.bound_inertia) {
-        const double rise = compiler_.bound_inertia - principal_moments(link.inertia)[0];
-        link.inertia = link.inertia + Matrix{{{rise, 0, 0}, {0, rise, 0}, {0, 0, rise}}};
     }
 }
 
