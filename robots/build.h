@@ -115,6 +115,9 @@ class Robot {
     // What is between control and force; 0 of an actuator without a filter.
     double activation(int actuator) const { return activations_[size_t(actuator)]; }
     void set_activation(int actuator, double value);
+    // Before its gear, at the present positions and velocities; and what all of them exert along a joint with one axis.
+    double actuator_force(int actuator) const;
+    double actuators_force(int joint) const;
     // All that acts only from step to step: the medium, spatial tendons with their actuators (step_forces.cpp), and filters, which a
     // step of that size moves on. Returns how many boxes, tendons and filters there are.
     int add_forces(double stepsize);
@@ -145,6 +148,7 @@ class Robot {
     int add_tendon_forces(double stepsize);
     struct Pull;  // of a spatial tendon
     std::vector<Pull> pulls(double stepsize) const;
+    double rate_of(const Path& path) const;
     double stiffness(int tendon) const;
     double damping(int tendon) const;
     double force(const Pull& pull, double stepsize) const;

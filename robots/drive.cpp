@@ -216,16 +216,19 @@ void Robot::set_drive(const Passive& passive, const Servo& servo, double limit, 
     if (!passive.id) return;
     const double r = passive.reference;
     double k = passive.stiffness + servo.stiffness, d = passive.damping + servo.damping;
-    double sum = passive.stiffness * (passive.rest - r) + servo.stiffness * (servo.target - r);
+    double sum = passive.stiffness * (passive.rest - r) + servo.stiffness * (servo.target - r), motors = 0;
+    const double stated = joint >= 0 ? model().joints[size_t(joint)].max_force : kInfinity;
+    const double largest = stated > 0 ? stated : kInfinity;  // of all actuators together
     for (size_t i = 0; i < model().actuators.size(); ++i) {
         const Actuator& a = model().actuators[i];
         if (joint >= 0 ? a.joint != joint : a.tendon != tendon) continue;
         const double g = a.gear;
         k += g * g * a.bias_position, d += g * g * a.bias_velocity;
-        sum += g * (clamped_force(a, inputs_[i]) - a.bias_position * g * r);
         const bool is_servo = a.bias_position != 0 || a.bias_velocity != 0;
-        if (is_servo) limit = std::min(limit, std::fabs(g) * std::max(-a.force_low, a.force_high));
+        (is_servo ? sum : motors) += g * (clamped_force(a, inputs_[i]) - a.bias_position * g * r);
+        if (is_servo) limit = std::min({limit, largest, std::fabs(g) * std::max(-a.force_low, a.force_high)});
     }
+    sum += std::clamp(motors, -largest, largest);
     dDrive drive;
     dDriveInit(&drive, sizeof drive);
     const bool acts = k > 0 || d > 0 || sum != 0 || passive.armature > 0 || passive.friction > 0;

@@ -76,6 +76,15 @@ bool RobotModel::frame_named(const std::string& wanted, Frame& frame) const
     return true;
 }
 
+bool RobotModel::object_named(const std::string& type, const std::string& wanted, Frame& frame) const
+{
+    const int site = type == "site" ? index_of(frames, wanted) : -1;
+    if (site >= 0) return frame = frames[size_t(site)], true;
+    if (!frame_named(wanted, frame)) return false;
+    if (type == "body" && index_of(links, wanted) >= 0) frame.pose.p = links[size_t(frame.link)].centre;
+    return true;
+}
+
 int RobotModel::joint_named(const std::string& wanted) const { return index_of(joints, wanted); }
 int RobotModel::tendon_named(const std::string& wanted) const { return index_of(tendons, wanted); }
 int RobotModel::actuator_named(const std::string& wanted) const { return index_of(actuators, wanted); }

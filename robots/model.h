@@ -188,7 +188,9 @@ struct Actuator {
 struct Sensor {
     std::string name, kind, object;
     int line = 0;
-    std::string attribute, object_type;  // of MJCF: which one named the object; the type where it is said
+    std::string attribute, object_type;     // of MJCF: which one named the object; the type where it is said
+    std::string reference, reference_type;  // of MJCF: relative to what a frame is read; empty: to the world
+    bool is_on_child = false;               // force and torque are those on the link, not on its parent
 };
 
 // A named frame: a merged link, a site.
@@ -241,6 +243,8 @@ struct RobotModel {
     int link_named(const std::string& wanted) const;
     // The frame of that name in its link, a link's own too; false where there is none.
     bool frame_named(const std::string& wanted, Frame& frame) const;
+    // By MJCF's types: a site; a body, whose origin is its centre of mass; else as frame_named.
+    bool object_named(const std::string& type, const std::string& wanted, Frame& frame) const;
     int joint_named(const std::string& wanted) const;
     int tendon_named(const std::string& wanted) const;
     int actuator_named(const std::string& wanted) const;

@@ -14,47 +14,58 @@ namespace {
 
 std::vector<double> list_of(Vec v) { return {v.x, v.y, v.z}; }
 
-int joint_of(const RobotModel& model, const Sensor& sensor)
-{
-    if (sensor.kind != "actuatorfrc") return model.joint_named(sensor.object);
-    for (const Actuator& actuator : model.actuators)
-        if (actuator.name == sensor.object) return actuator.joint;
-    return -1;
-}
-
 }  // namespace
 
 std::vector<double> Sensors::read_joint(const Sensor& sensor) const
 {
     const RobotModel& model = robot_.model();
-    const int number = joint_of(model, sensor);
+    if (sensor.kind == "actuatorfrc") {
+        const int actuator = model.actuator_named(sensor.object);
+        return actuator < 0 ? std::vector<double>{} : std::vector{robot_.actuator_force(actuator)};
+    }
+    const int number = model.joint_named(sensor.object);
     if (number < 0) return {};
+    if (sensor.kind == "jointactuatorfrc") {
+        if (!model.joints[size_t(number)].is_scalar()) return {};
+        return {robot_.actuators_force(number)};
+    }
     const Joint& joint = model.joints[size_t(number)];
     int first = 0;
     for (int i = 0; i < number; ++i) first += velocities_of(model.joints[size_t(i)]);
     const bool is_position = sensor.kind == "jointpos" || sensor.kind == "ballquat";
-    const bool is_force = sensor.kind == "actuatorfrc" || sensor.kind == "jointactuatorfrc";
-    const std::vector<double> all = is_position ? robot_.positions()
-                                    : is_force  ? drive_forces()
-                                                : robot_.velocities();
+    const std::vector<double> all = is_position ? robot_.positions() : robot_.velocities();
     const int begin = is_position ? joint.position : first, count = values_of(sensor.kind);
     const int has = is_position ? joint.coordinates() : velocities_of(joint);
     if (has != count) return {};
     return {all.begin() + begin, all.begin() + begin + count};
 }
 
-// Of the frame's origin, in the world's axes; a velocimeter's in its own.
-std::vector<double> Sensors::read_motion(const Sensor& sensor, const Frame& frame) const
+Sensors::Seen Sensors::seen(const Frame& frame) const
 {
     const Pose at = link_pose(frame.link) * frame.pose;
-    if (sensor.kind == "framepos") return list_of(at.p);
-    if (sensor.kind == "framequat") return {at.q.w, at.q.x, at.q.y, at.q.z};
     const Motion motion = motion_now()[size_t(frame.link)];
     const Vec angular = rotate(motion.pose.q, motion.angular);
-    const Vec linear = rotate(motion.pose.q, motion.linear) + cross(angular, at.p - motion.pose.p);
-    if (sensor.kind == "frameangvel") return list_of(angular);
-    if (sensor.kind == "framelinvel") return list_of(linear);
-    return list_of(rotate(conjugate(at.q), linear));
+    return {at, rotate(motion.pose.q, motion.linear) + cross(angular, at.p - motion.pose.p), angular};
+}
+
+// Of the frame's origin, in the axes of the world or of the reference, which sees it move; a velocimeter's in its own.
+std::vector<double> Sensors::read_motion(const Sensor& sensor, const Frame& frame) const
+{
+    Seen its = seen(frame);
+    if (sensor.kind == "velocimeter") return list_of(rotate(conjugate(its.at.q), its.linear));
+    if (!sensor.reference.empty()) {
+        Frame reference;
+        if (!robot_.model().object_named(sensor.reference_type, sensor.reference, reference)) return {};
+        const Seen from = seen(reference);
+        const Quat back = conjugate(from.at.q);
+        const Vec carried = from.linear + cross(from.angular, its.at.p - from.at.p);
+        its = {inverse(from.at) * its.at, rotate(back, its.linear - carried),
+               rotate(back, its.angular - from.angular)};
+    }
+    const Quat q = its.at.q;
+    if (sensor.kind == "framepos") return list_of(its.at.p);
+    if (sensor.kind == "framequat") return {q.w, q.x, q.y, q.z};
+    return list_of(sensor.kind == "frameangvel" ? its.angular : its.linear);
 }
 
 std::vector<double> Sensors::read(int number, dSpaceID space, std::string& problem) const
@@ -63,7 +74,9 @@ std::vector<double> Sensors::read(int number, dSpaceID space, std::string& probl
     problem = "a sensor that is computed, on something that the model has";
     if (values_of_joint_sensor(sensor.kind)) return read_joint(sensor);
     Frame frame;
-    if (!values_of_frame_sensor(sensor.kind) || !robot_.model().frame_named(sensor.object, frame)) return {};
+    if (!values_of_frame_sensor(sensor.kind) ||
+        !robot_.model().object_named(sensor.object_type, sensor.object, frame))
+        return {};
     Vec first, second;
     if (sensor.kind == "accelerometer" || sensor.kind == "gyro") {
         problem = "dRobotUpdateSensors after every step";
@@ -73,7 +86,8 @@ std::vector<double> Sensors::read(int number, dSpaceID space, std::string& probl
     if (sensor.kind == "force" || sensor.kind == "torque") {
         problem = "a link that a joint holds";
         if (!force_torque(frame.link, frame.pose, first, second)) return {};
-        return list_of(sensor.kind == "force" ? first : second);
+        const Vec its = sensor.kind == "force" ? first : second;
+        return list_of(sensor.is_on_child ? -its : its);
     }
     if (sensor.kind == "touch") return {touch(frame.link).normal_force};
     if (sensor.kind != "rangefinder") return read_motion(sensor, frame);

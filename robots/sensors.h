@@ -63,7 +63,12 @@ class Sensors {
         Pose pose;            // of the centre
         Vec linear, angular;  // in the body's axes
     };
+    struct Seen {  // a frame in the world
+        Pose at;
+        Vec linear, angular;
+    };
     std::vector<Motion> motion_now() const;
+    Seen seen(const Frame& frame) const;
     Pose link_pose(int link) const;
     bool is_of(dGeomID geom, int link) const;
     Vec gravity() const;

@@ -207,6 +207,51 @@ void Robot::set_limits_of(std::vector<Pull>& pulls, double h) const
                 std::fabs(std::inner_product(other.begin(), other.end(), halves[i].begin(), 0.0));
 }
 
+double Robot::rate_of(const Path& path) const
+{
+    double rate = 0;
+    for (const Piece& piece : path.pieces)
+        rate += dot(piece.direction, velocity_at(piece.link2, piece.p2) - velocity_at(piece.link1, piece.p1));
+    return rate;
+}
+
+double Robot::actuator_force(int actuator) const
+{
+    const Actuator& a = model().actuators[size_t(actuator)];
+    double place = 0, rate = 0;
+    const auto add = [&](int joint, double factor) {
+        const dJointID its = joints_[size_t(joint)];
+        place += factor * (double(dJointGetAxisPosition(its, 0)) + model().joints[size_t(joint)].reference);
+        rate += factor * double(dJointGetAxisRate(its, 0));
+    };
+    if (a.joint >= 0) {
+        add(a.joint, 1);
+    } else if (const Tendon& tendon = model().tendons[size_t(a.tendon)]; tendon.path.empty()) {
+        for (const Coupling::Term& term : tendon.terms) add(term.joint, term.factor);
+    } else {
+        const Path path = path_of(tendon, link_poses());
+        place = path.length, rate = rate_of(path);
+    }
+    const double force = a.gain * inputs_[size_t(actuator)] + a.bias - a.bias_position * a.gear * place -
+                         a.bias_velocity * a.gear * rate;
+    return std::clamp(force, a.force_low, a.force_high);
+}
+
+double Robot::actuators_force(int joint) const
+{
+    const double largest = model().joints[size_t(joint)].max_force;
+    const size_t column = size_t(velocity_of(model(), joint));
+    double sum = 0;
+    for (size_t i = 0; i < model().actuators.size(); ++i) {
+        const Actuator& a = model().actuators[i];
+        if (a.joint >= 0 && a.joint != joint) continue;
+        const double arm =
+            a.joint >= 0 ? 1 : tendon_moments(model(), positions(), std::array{a.tendon})[column];
+        if (arm != 0) sum += arm * a.gear * actuator_force(int(i));
+    }
+    return largest > 0 ? std::clamp(sum, -largest, largest) : sum;
+}
+
 // Of the spatial tendons of which something moves.
 std::vector<Robot::Pull> Robot::pulls(double h) const
 {
@@ -217,9 +262,7 @@ std::vector<Robot::Pull> Robot::pulls(double h) const
         if (tendon.path.empty() || !is_awake(tendon)) continue;
         if (poses.empty()) poses = link_poses();
         Pull pull{int(i), path_of(tendon, poses), 0};
-        for (const Piece& piece : pull.path.pieces)
-            pull.rate +=
-                dot(piece.direction, velocity_at(piece.link2, piece.p2) - velocity_at(piece.link1, piece.p1));
+        pull.rate = rate_of(pull.path);
         out.push_back(std::move(pull));
     }
     set_limits_of(out, h);

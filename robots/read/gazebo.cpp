@@ -150,7 +150,8 @@ class Gazebo {
         if (link < 0) return ignore(sensor, reference);
         Frame frame{unused(name.empty() ? reference + "/" + type : name), link, pose_of(sensor)};
         const auto add = [&](const std::string& kind, const std::string& its) {
-            model_.sensors.push_back({its, kind, frame.name, sensor.line(), "", ""});
+            Sensor& one = model_.sensors.emplace_back();
+            one.name = its, one.kind = kind, one.object = frame.name, one.line = sensor.line();
         };
         const auto list = [&](const std::string& function) {
             add(type, name);
@@ -160,7 +161,10 @@ class Gazebo {
         if (type == "imu") {
             add("accelerometer", name + "/acceleration"), add("gyro", name + "/turning");
         } else if (type == "force_torque") {
-            add("force", name + "/force"), add("torque", name + "/torque");
+            const Element direction = sensor.child("force_torque").child("measure_direction");
+            const bool is_on_child = std::string(direction.node.text().get()) == "parent_to_child";
+            for (const char* kind : {"force", "torque"})
+                add(kind, name + "/" + kind), model_.sensors.back().is_on_child = is_on_child;
         } else if (type == "contact") {
             add("touch", name);
             reading_.note_once(Note::kApproximated, sensor, "a contact sensor feels its whole link");

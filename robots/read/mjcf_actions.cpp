@@ -347,7 +347,9 @@ void Mjcf::read_sensors(const Element& section)
         sensor.name = element.text("name"), sensor.kind = element.name(), sensor.line = element.line();
         for (const char* object : {"joint", "site", "body", "objname", "actuator", "tendon", "geom"})
             if (element.has(object)) sensor.object = element.text(object), sensor.attribute = object;
-        sensor.object_type = element.text("objtype");
+        sensor.object_type = sensor.attribute == "site" ? "site" : element.text("objtype");
+        sensor.is_on_child = sensor.kind == "force" || sensor.kind == "torque";
+        sensor.reference = element.text("refname"), sensor.reference_type = element.text("reftype");
         model_.sensors.push_back(sensor);
         if (values_of(sensor.kind) == 0)
             reading_.note_once(Note::kIgnored, element,

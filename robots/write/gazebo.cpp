@@ -49,6 +49,7 @@ bool GazeboWriter::pair_of_sensors(size_t first, const Frame& frame)
         if (a.kind == pair.first && b.kind == pair.second && b.object == frame.name &&
             a.name == frame.name + pair.first_end && b.name == frame.name + pair.second_end) {
             sensors_.push_back({pair.type, frame.name, &frame});
+            sensors_.back().is_on_child = a.is_on_child;
             return true;
         }
     return false;
@@ -154,6 +155,11 @@ void GazeboWriter::write_sensors()
         const Pose pose{turned.p - shifts_[size_t(frame.link)], turned.q};
         pugi::xml_node sensor = element_of(links_[size_t(frame.link)]).append_child("sensor");
         set(sensor, "name", sensed.name), set(sensor, "type", sensed.type);
+        if (sensed.is_on_child)
+            sensor.append_child("force_torque")
+                .append_child("measure_direction")
+                .text()
+                .set("parent_to_child");
         if (is_identity(pose)) continue;
         const Vec turn = rpy_of(pose.q);
         sensor.append_child("pose").text().set((text_of(pose.p) + " " + text_of(turn)).c_str());

@@ -31,6 +31,7 @@ class GazeboWriter {
         std::string type, name;
         const Frame* frame;
         bool looks_along_z = false;  // as MJCF's rangefinder does
+        bool is_on_child = false;
     };
     void gather_sensors();
     void gather_apart();

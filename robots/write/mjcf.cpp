@@ -67,7 +67,8 @@ class MjcfWriter {
         std::string attribute, type, object;
     };
     Sensed joint_object(const Sensor& sensor) const;
-    Sensed frame_object(const Sensor& sensor) const;
+    Sensed frame_object(const std::string& kind, const std::string& type, const std::string& name) const;
+    void write_reference(Node its, const Sensor& sensor) const;
     void write_sensors();
     void note_losses();
     Node section(const char* name);
@@ -493,7 +494,7 @@ void MjcfWriter::write_sensors()
         const bool of_frame = values_of_frame_sensor(sensor.kind) > 0;
         const Sensed on = values_of(sensor.kind) == 0
                               ? Sensed{sensor.attribute, sensor.object_type, sensor.object}
-                          : of_frame ? frame_object(sensor)
+                          : of_frame ? frame_object(sensor.kind, sensor.object_type, sensor.object)
                                      : joint_object(sensor);
         if (on.attribute.empty()) {
             losses_.add("sensors of kind <" + sensor.kind + "> on '" + sensor.object + "' are not written");
@@ -503,7 +504,21 @@ void MjcfWriter::write_sensors()
         if (!sensor.name.empty()) set(its, "name", sensor.name);
         if (!on.type.empty()) set(its, "objtype", on.type);
         set(its, on.attribute.c_str(), on.object);
+        write_reference(its, sensor);
+        if ((sensor.kind == "force" || sensor.kind == "torque") && !sensor.is_on_child)
+            losses_.add(
+                "force and torque sensors of MJCF read what acts on a link, not on its parent: the sign "
+                "differs");
     }
+}
+
+void MjcfWriter::write_reference(Node its, const Sensor& sensor) const
+{
+    if (sensor.reference.empty()) return;
+    const Sensed to = values_of(sensor.kind) == 0
+                          ? Sensed{"refname", sensor.reference_type, sensor.reference}
+                          : frame_object("frame", sensor.reference_type, sensor.reference);
+    if (!to.object.empty()) set(its, "reftype", to.type), set(its, "refname", to.object);
 }
 
 MjcfWriter::Sensed MjcfWriter::joint_object(const Sensor& sensor) const
@@ -514,17 +529,22 @@ MjcfWriter::Sensed MjcfWriter::joint_object(const Sensor& sensor) const
     return {"joint", "", joints_[size_t(joint)]};
 }
 
-// Poses and velocities of links are those of their frame (xbody), not of their centre of mass.
-MjcfWriter::Sensed MjcfWriter::frame_object(const Sensor& sensor) const
+// A body is its centre of mass, a link's own frame an xbody.
+MjcfWriter::Sensed MjcfWriter::frame_object(const std::string& kind, const std::string& type,
+                                            const std::string& name) const
 {
-    const bool says_type = sensor.kind.rfind("frame", 0) == 0;
+    const bool says_type = kind.rfind("frame", 0) == 0, is_body = type == "body" || type == "xbody";
+    const auto link = [&]() -> Sensed {
+        for (size_t i = 0; i < model_.links.size(); ++i)
+            if (says_type && model_.links[i].name == name)
+                return {"objname", type == "body" ? "body" : "xbody", links_[i]};
+        return {};
+    };
+    if (const Sensed its = link(); is_body && !its.attribute.empty()) return its;
     for (size_t i = 0; i < model_.frames.size(); ++i)
-        if (!sensor.object.empty() && model_.frames[i].name == sensor.object)
+        if (!name.empty() && model_.frames[i].name == name)
             return {says_type ? "objname" : "site", says_type ? "site" : "", frames_[i]};
-    if (!says_type) return {};
-    for (size_t i = 0; i < model_.links.size(); ++i)
-        if (model_.links[i].name == sensor.object) return {"objname", "xbody", links_[i]};
-    return {};
+    return link();
 }
 
 void MjcfWriter::note_losses()

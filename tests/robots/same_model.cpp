@@ -216,7 +216,9 @@ class Models : Comparison {
         each("sensors", a_.sensors, b_.sensors,
              [&](const std::string& what, const Sensor& a, const Sensor& b) {
                  same(what, a.name, b.name), same(what + " kind", a.kind, b.kind);
-                 same(what + " object", a.object, b.object);
+                 same(what + " object", a.object, b.object),
+                     same(what + " reference", a.reference, b.reference);
+                 same(what + " is on the child", a.is_on_child, b.is_on_child);
              });
         each("excluded", sorted(a_.excluded), sorted(b_.excluded),
              [&](const std::string& what, const auto& a, const auto& b) {

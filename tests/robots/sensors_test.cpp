@@ -156,16 +156,91 @@ TEST_F(RobotSensors, NamedSensorsOfAChainReadItsWeights)
         <sensor><force name="both" site="top"/><torque name="none" site="top"/><force name="one" site="middle"/>
         <actuatorfrc name="servo" actuator="servo"/><jointpos name="lift" joint="lift"/><framepos name="where" objtype="body" objname="lower"/></sensor></mujoco>)");
     step(400);
-    expect_vec(read("both", 3).data(), 0, 0, -4 * kG, 1e-3);
+    expect_vec(read("both", 3).data(), 0, 0, 4 * kG, 1e-3);  // MuJoCo 4.0: 39.24, as it acts on the link
     expect_vec(read("none", 3).data(), 0, 0, 0, 1e-3);
-    expect_vec(read("one", 3).data(), 0, 0, -1 * kG, 1e-3);
-    EXPECT_NEAR(read("servo", 1)[0], kG, 1e-3);
+    expect_vec(read("one", 3).data(), 0, 0, 1 * kG, 1e-3);
+    EXPECT_NEAR(read("servo", 1)[0], kG, kIsDouble ? 1e-3 : kFine);
     EXPECT_NEAR(read("lift", 1)[0], -kG / 1e5, 1e-5);
-    EXPECT_NEAR(read("where", 3)[2], 1 - kG / 1e5, 1e-4);
+    EXPECT_NEAR(read("where", 3)[2], 0.8 - kG / 1e5, 1e-4);  // a body is its centre of mass
     dReal forces[2];
     ASSERT_EQ(dRobotGetDriveForces(robot, forces, 2), 2);
     EXPECT_EQ(forces[0], 0);
     EXPECT_NEAR(forces[1], kG, 1e-3);
+}
+
+// A cart that runs along x at 2 m/s carries an arm that turns about z at 3 rad/s; both and the tip are called alike.
+TEST_F(RobotSensors, FramesAreSeenFromOthers)
+{
+    load(
+        R"(<mujoco><worldbody><body name="hand" pos="0 0 1"><joint type="slide" axis="1 0 0"/><inertial pos="0 0 0.1" mass="1" diaginertia="1 1 1"/>
+        <body name="arm" pos="0 0 0.5"><joint axis="0 0 1"/><inertial pos="0.2 0 0" mass="1" diaginertia="1 1 1"/><site name="hand" pos="0.4 0 0"/></body></body></worldbody>
+        <sensor><framepos name="tip" objtype="site" objname="hand"/><framepos name="body" objtype="body" objname="hand"/>
+        <framepos name="origin" objtype="xbody" objname="hand"/><gyro name="gyro" site="hand"/><velocimeter name="velocity" site="hand"/>
+        <framepos name="tip in arm" objtype="site" objname="hand" reftype="xbody" refname="arm"/>
+        <framelinvel name="speed in arm" objtype="site" objname="hand" reftype="xbody" refname="arm"/>
+        <framelinvel name="speed in cart" objtype="site" objname="hand" reftype="body" refname="hand"/>
+        <framelinvel name="speed of arm" objtype="body" objname="arm"/>
+        <frameangvel name="turn in cart" objtype="site" objname="hand" reftype="xbody" refname="hand"/>
+        <frameangvel name="turn in arm" objtype="xbody" objname="hand" reftype="site" refname="hand"/>
+        <framequat name="quat in arm" objtype="site" objname="hand" reftype="body" refname="arm"/></sensor></mujoco>)");
+    const dReal v[2] = {2, 3};
+    dWorldSetGravity(world, 0, 0, 0);
+    ASSERT_EQ(dRobotSetVelocities(robot, v, 2), 1);
+    ASSERT_EQ(dRobotUpdateSensors(robot, kStep), 1);
+    expect_vec(read("tip", 3).data(), 0.4, 0, 1.5, kExact);
+    expect_vec(read("body", 3).data(), 0, 0, 1.1, kExact);
+    expect_vec(read("origin", 3).data(), 0, 0, 1, kExact);
+    expect_vec(read("gyro", 3).data(), 0, 0, 3, kExact);
+    expect_vec(read("velocity", 3).data(), 2, 1.2, 0, kExact);
+    expect_vec(read("tip in arm", 3).data(), 0.4, 0, 0, kExact);
+    expect_vec(read("speed in arm", 3).data(), 0, 0, 0, kExact);
+    expect_vec(read("speed in cart", 3).data(), 0, 1.2, 0, kExact);
+    expect_vec(read("speed of arm", 3).data(), 2, 0.6, 0, kExact);
+    expect_vec(read("turn in cart", 3).data(), 0, 0, 3, kExact);
+    expect_vec(read("turn in arm", 3).data(), 0, 0, -3, kExact);
+    EXPECT_NEAR(read("quat in arm", 4)[0], 1, kExact);
+}
+
+// What an actuator exerts is before its gear, without springs and dampers; a joint's limit is for all of them together.
+TEST_F(RobotSensors, ActuatorsReadTheirOwnForce)
+{
+    load(
+        R"(<mujoco><compiler autolimits="true"/><worldbody><body><joint name="a" type="slide" axis="1 0 0" stiffness="50" damping="3"/>
+        <inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/></body><body pos="1 0 0"><joint name="b" type="slide" axis="1 0 0" actuatorfrcrange="-5 5"/>
+        <inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/></body></worldbody>
+        <tendon><fixed name="both"><joint joint="a" coef="2"/><joint joint="b" coef="-1"/></fixed></tendon>
+        <actuator><position name="servo" joint="a" kp="10" gear="2"/><motor name="one" joint="b" gear="3"/><motor name="two" joint="b"/>
+        <velocity name="rope" tendon="both" kv="0.5"/></actuator>
+        <sensor><actuatorfrc name="servo" actuator="servo"/><actuatorfrc name="one" actuator="one"/><actuatorfrc name="rope" actuator="rope"/>
+        <jointactuatorfrc name="a" joint="a"/><jointactuatorfrc name="b" joint="b"/></sensor></mujoco>)");
+    dWorldSetGravity(world, 0, 0, 0);
+    const dReal q[2] = {dReal(0.1), 0}, v[2] = {dReal(0.2), dReal(-0.4)};
+    ASSERT_EQ(dRobotSetPositions(robot, q, 2), 1);
+    ASSERT_EQ(dRobotSetVelocities(robot, v, 2), 1);
+    const dReal controls[4] = {1, dReal(1.5), 2, 1};
+    for (int i = 0; i < 4; ++i) ASSERT_EQ(dRobotSetControl(robot, i, controls[i]), 1);
+    const double rope = 0.5 * (1 - (2 * 0.2 + 0.4));
+    EXPECT_NEAR(read("servo", 1)[0], 10 * (1 - 2 * 0.1), kFine);
+    EXPECT_NEAR(read("one", 1)[0], 1.5, kFine);
+    EXPECT_NEAR(read("rope", 1)[0], rope, kFine);
+    EXPECT_NEAR(read("a", 1)[0], 2 * 8 + 2 * rope, kFine);
+    EXPECT_NEAR(read("b", 1)[0], 5, kFine);  // of 3 * 1.5 + 2 - rope
+}
+
+// Two motors ask for 6.5 N of a joint that takes 5.
+TEST_F(RobotSensors, MotorsOfAJointAreLimitedTogether)
+{
+    load(
+        R"(<mujoco><compiler autolimits="true"/><worldbody><body><joint type="slide" axis="1 0 0" actuatorfrcrange="-5 5" name="b"/>
+        <inertial pos="0 0 0" mass="2" diaginertia="1 1 1"/></body></worldbody>
+        <actuator><motor joint="b" gear="3"/><motor joint="b"/></actuator></mujoco>)");
+    dWorldSetGravity(world, 0, 0, 0);
+    ASSERT_EQ(dRobotSetControl(robot, 0, dReal(1.5)), 1);
+    ASSERT_EQ(dRobotSetControl(robot, 1, 2), 1);
+    step(1);
+    dReal v = 0;
+    ASSERT_EQ(dRobotGetVelocities(robot, &v, 1), 1);
+    EXPECT_NEAR(v, 2.5 * kStep, kFine * kStep);
 }
 
 TEST_F(RobotSensors, TouchOfARestingBoxIsItsWeight)

@@ -73,7 +73,8 @@ TEST(Write, AUrdfKeepsWhatGazeboAddsToIt)
         <sensor name="camera" type="camera"/>
       </gazebo>
       <gazebo reference="flap"><sensor name="bump" type="contact"/></gazebo>
-      <gazebo reference="hinge"><sensor name="load" type="force_torque"/></gazebo>
+      <gazebo reference="hinge"><sensor name="load" type="force_torque">
+        <force_torque><measure_direction>parent_to_child</measure_direction></force_torque></sensor></gazebo>
     </robot>)";
     const RobotModel model = load_robot_text("robot.urdf", text, {});
     ASSERT_EQ(model.sensors.size(), 7u);
