@@ -122,12 +122,41 @@ void Mjcf::read_option(const Element& element)
     if (model_.medium.acts())
         reading_.note_once(Note::kChanged, element,
                            "the forces of the medium act where dRobotAddForces is called before a step");
-    for (const Element& flag : element.children("flag")) {
-        if (flag.text("gravity") == "disable") model_.gravity = {};
-        if (flag.text("contact") == "disable")
-            touches_ = false,
-            reading_.note(Note::kChanged, flag, "contacts are switched off: geoms are looks");
+    for (const Element& flag : element.children("flag")) read_flag(flag);
+}
+
+void Mjcf::read_flag(const Element& flag)
+{
+    static const std::set<std::string> known{"gravity",      "contact",  "spring",     "damper",   "limit",
+                                             "frictionloss", "equality", "constraint", "clampctrl"};
+    for (const pugi::xml_attribute& attribute : flag.node.attributes()) {
+        const std::string name = attribute.name();
+        if (std::string(attribute.value()) != "disable") continue;
+        if (known.count(name)) off_.insert(name);
+        if (name == "actuation") reading_.note(Note::kIgnored, flag, "actuation is switched off: it is on");
     }
+    if (is_off("constraint")) off_.insert({"contact", "limit", "frictionloss", "equality"});
+    if (!is_off("contact") || !touches_) return;
+    touches_ = false;
+    reading_.note(Note::kChanged, flag, "contacts are switched off: geoms are looks");
+}
+
+void Mjcf::switch_off()
+{
+    if (is_off("gravity")) model_.gravity = {};
+    for (Joint& joint : model_.joints) {
+        if (is_off("spring")) joint.stiffness = 0;
+        if (is_off("damper")) joint.damping = 0;
+        if (is_off("frictionloss")) joint.friction = 0;
+        if (is_off("limit")) joint.limited = false, joint.low = -kInfinity, joint.high = kInfinity;
+    }
+    for (Tendon& tendon : model_.tendons) {
+        if (is_off("spring")) tendon.stiffness = 0;
+        if (is_off("damper")) tendon.damping = 0;
+        if (is_off("limit")) tendon.low = -kInfinity, tendon.high = kInfinity;
+    }
+    if (is_off("clampctrl"))
+        for (Actuator& actuator : model_.actuators) actuator.low = -kInfinity, actuator.high = kInfinity;
 }
 
 // Of a mesh or height field, as the compiler's folders have it.
@@ -226,10 +255,11 @@ void Mjcf::read()
     set_springs();
     read_sections(sections, "contact", &Mjcf::read_contacts);
     read_sections(sections, "tendon", &Mjcf::read_tendons);
-    read_sections(sections, "equality", &Mjcf::read_equalities);
+    if (!is_off("equality")) read_sections(sections, "equality", &Mjcf::read_equalities);
     read_sections(sections, "actuator", &Mjcf::read_actuators);
     read_sections(sections, "sensor", &Mjcf::read_sensors);
     read_sections(sections, "keyframe", &Mjcf::read_keys);
+    switch_off();
     note_other_sections(sections);
 }
 

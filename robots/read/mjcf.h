@@ -56,6 +56,9 @@ class Mjcf {
     void include(const Element& element, std::vector<Element>& out);
     void read_compiler(const Element& element);
     void read_option(const Element& element);
+    void read_flag(const Element& flag);
+    bool is_off(const char* flag) const { return off_.count(flag) > 0; }
+    void switch_off();
     void read_assets(const Element& section);
     std::string asset_file(const Element& element) const;
     void set_total_mass();
@@ -77,6 +80,8 @@ class Mjcf {
     void read_free_joint(const Attributes& attributes, const Scope& scope);
     bool read_range(const Attributes& attributes, Joint& joint);
     void read_passive(const Attributes& attributes, Joint& joint);
+    // The first coefficient of a force's polynomial, not below 0.
+    void coefficient(const Attributes& attributes, const char* name, double& out);
     void read_softness(const Attributes& attributes, const std::array<const char*, 2>& names,
                        Softness& softness);
     void read_geom(const Attributes& attributes, const Scope& scope, Inertia& of_geoms);
@@ -141,6 +146,7 @@ class Mjcf {
     RobotModel& model_;
     Compiler compiler_;
     Defaults defaults_;
+    std::set<std::string> off_;  // flags that an option has disabled
     std::map<std::string, Asset> assets_;
     std::map<std::string, Field> fields_;
     std::map<std::string, std::unique_ptr<Document>> documents_;

@@ -195,12 +195,21 @@ void Mjcf::read_free_joint(const Attributes& a, const Scope& scope)
     model_.joints.push_back(joint);
 }
 
-// What acts on an axis by itself. Of polynomials the first coefficient.
+void Mjcf::coefficient(const Attributes& a, const char* name, double& out)
+{
+    std::vector<double> values;
+    if (!list(a, name, 1, 8, values)) return;
+    out = std::max(0.0, values[0]);
+    if (std::any_of(values.begin() + 1, values.end(), [](double value) { return value != 0; }))
+        reading_.note_once(Note::kApproximated, a.element(),
+                           a.element().name() + " " + name + " as its first coefficient");
+}
+
+// What acts on an axis by itself.
 void Mjcf::read_passive(const Attributes& a, Joint& joint)
 {
     std::vector<double> values;
-    if (list(a, "stiffness", 1, 8, values)) joint.stiffness = std::max(0.0, values[0]);
-    if (list(a, "damping", 1, 8, values)) joint.damping = std::max(0.0, values[0]);
+    coefficient(a, "stiffness", joint.stiffness), coefficient(a, "damping", joint.damping);
     number(a, "armature", joint.armature), number(a, "frictionloss", joint.friction);
     joint.armature = std::max(0.0, joint.armature), joint.friction = std::max(0.0, joint.friction);
     if (list(a, "actuatorfrcrange", 2, 2, values) && a.text("actuatorfrclimited") != "false")

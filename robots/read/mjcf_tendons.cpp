@@ -111,8 +111,7 @@ void Mjcf::read_tendon(const Attributes& a, Tendon& tendon)
             reading_.note(Note::kApproximated, element, "a tendon's range of rest is its middle");
         }
     }
-    if (list(a, "stiffness", 1, 8, range)) tendon.stiffness = std::max(0.0, range[0]);
-    if (list(a, "damping", 1, 8, range)) tendon.damping = std::max(0.0, range[0]);
+    coefficient(a, "stiffness", tendon.stiffness), coefficient(a, "damping", tendon.damping);
     double value = 0;
     for (const char* name : {"frictionloss", "armature", "margin"})
         if (number(a, name, value) && value != 0)

@@ -105,4 +105,52 @@ TEST(MjcfSprings, activations_are_written_again)
     EXPECT_TRUE(model.actuators[4].activation.empty());
 }
 
+// Whatever the order of the options.
+TEST(MjcfSprings, are_switched_off_by_flags)
+{
+    const std::string robot =
+        "<worldbody><body><joint name='a' type='slide' stiffness='3' damping='2' frictionloss='1' range='-1 "
+        "1'/>"
+        "<geom size='0.1'/></body></worldbody><tendon><fixed stiffness='4' damping='5' range='-1 1'><joint "
+        "joint='a' coef='1'/></fixed></tendon><equality><joint joint1='a'/></equality><actuator><motor "
+        "joint='a' "
+        "ctrlrange='-1 1'/></actuator>";
+    const auto with = [&](const std::string& flags) {
+        return load_robot_text(
+            "robot.xml",
+            "<mujoco><option><flag " + flags + "/></option><option gravity='0 0 -5'/>" + robot + "</mujoco>");
+    };
+    const RobotModel on = with("gravity='enable' spring='enable'"),
+                     off = with("gravity='disable' spring='disable' damper='disable' clampctrl='disable'"),
+                     free = with("constraint='disable'"), powerless = with("actuation='disable'");
+    EXPECT_EQ(on.gravity.z, -5);
+    EXPECT_EQ(on.joints[0].stiffness, 3);
+    EXPECT_EQ(off.gravity.z, 0);
+    EXPECT_EQ(off.joints[0].stiffness + off.joints[0].damping, 0);
+    EXPECT_EQ(off.tendons[0].stiffness + off.tendons[0].damping, 0);
+    EXPECT_EQ(off.actuators[0].high, kInfinity);
+    EXPECT_EQ(off.joints[0].friction, 1);
+    EXPECT_EQ(off.couplings.size(), 1u);
+    EXPECT_FALSE(free.joints[0].limited);
+    EXPECT_EQ(free.joints[0].friction, 0);
+    EXPECT_EQ(free.tendons[0].high, kInfinity);
+    EXPECT_TRUE(free.couplings.empty());
+    EXPECT_TRUE(free.links[1].shapes.empty());
+    ASSERT_EQ(powerless.report.size(), 1u);
+    EXPECT_EQ(powerless.report[0].note, Note::kIgnored);
+}
+
+TEST(MjcfSprings, that_are_polynomials_are_their_first_coefficient_and_said_to_be)
+{
+    const auto with = [&](const std::string& attributes) {
+        return load_robot_text("robot.xml", "<mujoco><worldbody><body><joint " + attributes +
+                                                "/><geom size='0.1'/></body></worldbody></mujoco>");
+    };
+    EXPECT_TRUE(with("stiffness='3 0' damping='2'").report.empty());
+    const RobotModel model = with("stiffness='3 1'");
+    EXPECT_EQ(model.joints[0].stiffness, 3);
+    ASSERT_EQ(model.report.size(), 1u);
+    EXPECT_EQ(model.report[0].text, "joint stiffness as its first coefficient");
+}
+
 }  // namespace
