@@ -38,6 +38,9 @@ struct JointAxis {
     Jacobian J;
     Real value = 0;      // m or rad
     bool turns = false;  // an angle that is known up to whole turns
+    // A position along a direction of body 1, J.lin1, from a point of body 2 to one of body 1.
+    bool slides = false;
+    Vec3 point1{}, point2{};
 };
 
 struct JointType {

@@ -17,9 +17,12 @@ struct AxisDrive {
     Real reference = 0;       // of a continuous axis: the position when the last step began
     Real force = 0;           // of the drive, the mean over the last step
     // Of the current step:
-    RowDrive servo, rotor;    // which rows point to
-    Real rate = 0;            // at the pose of the rows
-    Real start_rate = 0;      // when the step began
+    RowDrive servo, rotor;  // which rows point to
+    Real rate = 0;          // at the pose of the rows
+    Real start_rate = 0;    // when the step began
+    Real drift = 0;         // of the rate, where no force acts, m/s^2; and when the step began
+    Real start_drift = 0;
+    int passes = 0;           // how often the rows were written: substeps
     int servo_row = -1;       // in the joint's block; -1: none
     bool with_rotor = false;  // that row includes the rotor
 };

@@ -5,10 +5,12 @@
 // velocity u and feed-forward force f on an axis with position q and rate w,
 //
 //   servo     lambda = f + k (q0 - q') + d (u - w'),   |lambda| <= limit     q' = q + h w'
-//   rotor     lambda = I (w - w')/h
+//   rotor     lambda = I ((w - w')/h - D)
 //   friction  w' = 0,   |lambda| <= F
 //
-// each implicit in the rate w' after the step or substep (RowDrive), alongside the row of stop and motor.
+// each implicit in the rate w' after the step or substep (RowDrive), alongside the row of stop and motor. A rotor
+// resists the second derivative of q, J dv/dt + D, where the drift D = dJ/dt v is what bodies have that move
+// uniformly: of a slide that turns its centrifugal acceleration.
 // Without a limit, servo and rotor are one row, the sum of both. A servo without k and d is a constant force:
 // with a rotor it is part of the rotor's row; without one it is a row with equal bounds.
 #include "joints/drive_rows.h"
@@ -61,6 +63,38 @@ Real rate(const Joint& joint, const RowWriter& out, const Jacobian& J)
     return dot(J.lin1, m[0].v) + dot(J.ang1, m[0].w) + dot(J.lin2, m[1].v) + dot(J.ang2, m[1].w);
 }
 
+// Of a slide  q = d.(p1 - p2)  along a direction d of body 1. A hinge has none; that of other angles, which turn
+// with two axes at a time, is left out.
+Real drift(const Joint& joint, int i, const BodyMotion* motion);
+
+Real drift_of_coupling(const CouplingJoint& coupling)
+{
+    Real sum = 0;
+    for_each_member(coupling, [&](const CoupledAxis& m) {
+        if (m.joint->attached() && m.axis < axis_count(*m.joint))
+            sum += m.factor * drift(*m.joint, m.axis, nullptr);
+    });
+    return sum;
+}
+
+Real drift(const Joint& joint, int i, const BodyMotion* motion)
+{
+    if (is_coupling(joint)) return drift_of_coupling(coupling_of(joint));
+    const JointAxis at = joint.type->axis(joint, i);
+    if (!at.slides) return 0;
+    const Body *b1 = joint.body1(), *b2 = joint.body2();
+    const Vec3 w1 = motion ? motion[0].w : b1->angular_velocity(), v1 = motion ? motion[0].v : b1->velocity();
+    Vec3 w2, v2, r2;
+    if (b2) {
+        w2 = motion ? motion[1].w : b2->angular_velocity(), v2 = motion ? motion[1].v : b2->velocity();
+        r2 = at.point2 - b2->position();
+    }
+    const Vec3 d = at.J.lin1, turned = cross(w1, d), r1 = at.point1 - b1->position();
+    const Vec3 u1 = cross(w1, r1), u2 = cross(w2, r2);
+    return dot(d, cross(w1, u1) - cross(w2, u2)) + 2 * dot(turned, v1 + u1 - v2 - u2) +
+           dot(cross(w1, turned), at.point1 - at.point2);
+}
+
 Row& soft_row(RowWriter& out, const Jacobian& J, const RowDrive& drive, Real error, Real limit)
 {
     Row& row = out.row(J, error, RowKind::kLimit);
@@ -93,6 +127,7 @@ void emit_servo(RowWriter& out, AxisDrive& axis, const JointAxis& at, Real error
     if (drive.armature > 0) {
         axis.rotor = together ? axis.servo : RowDrive{};
         axis.rotor.inertia = drive.armature, axis.rotor.rate = axis.rate;
+        axis.rotor.force -= drive.armature * axis.drift;
         axis.with_rotor = together;
         soft_row(out, at.J, axis.rotor, together ? error : 0, kInf);
     } else if (together && gives_way) {
@@ -112,7 +147,9 @@ void emit_axis(Joint& joint, int i, AxisDrive& axis, RowWriter& out)
     if (!axis.driven || (is_zero(at.J) && out.terms().empty())) return;
     out.emit_every_substep();
     axis.rate = rate(joint, out, at.J);
-    if (!out.info().inner) axis.start_rate = axis.rate;
+    axis.drift = axis.drive.armature > 0 ? drift(joint, i, out.motion()) : 0;
+    if (!out.info().inner) axis.start_rate = axis.rate, axis.start_drift = axis.drift, axis.passes = 0;
+    ++axis.passes;
     emit_servo(out, axis, at, error(at, axis, value));
     const Real friction = axis.drive.friction;
     if (friction > 0) firm_row(out, at.J, RowKind::kFriction, -friction, friction);
@@ -152,7 +189,9 @@ void store_drive_forces(Joint& joint, const RowBlock& block, const RowSystem& sy
         Real p = system.numbers[at].p;
         if (axis.with_rotor) {
             const Real now = row_velocity(system, block, system.rows[at], system.bodies);
-            p -= axis.drive.armature * (axis.start_rate - now);
+            // In later substeps the drift is in the difference of rates.
+            const Real drifted = axis.start_drift * system.h / Real(axis.passes);
+            p -= axis.drive.armature * (axis.start_rate - drifted - now);
         }
         axis.force = p / system.h;
     }

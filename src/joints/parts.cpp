@@ -158,6 +158,11 @@ Jacobian separated_jacobian(const Joint& j, const AnchorPair& anchor, Vec3 d)
     return point_jacobian(j, d, p - j.body1()->position(), j.body2() ? p - j.body2()->position() : Vec3{});
 }
 
+JointAxis separated_axis(const Joint& j, const AnchorPair& anchor, Vec3 d, Real position)
+{
+    return {separated_jacobian(j, anchor, d), position, false, true, anchor.world(j, 0), anchor.world(j, 1)};
+}
+
 void lock_level(const Joint& j, RowWriter& out, const AnchorPair& anchor, Vec3 d)
 {
     out.row(separated_jacobian(j, anchor, d), dot(d, anchor.world(j, 1) - anchor.world(j, 0)));

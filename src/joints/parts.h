@@ -125,6 +125,8 @@ void lock_axis(const Joint& j, RowWriter& out, const AxisPair& axis);
 // alike. With d turning with body 1, this is minus the exact rate of  d.(anchor 2 - anchor 1)  however far
 // they parted.
 Jacobian separated_jacobian(const Joint& j, const AnchorPair& anchor, Vec3 d);
+// The axis along d, with its position  d.(anchor 1 - anchor 2).
+JointAxis separated_axis(const Joint& j, const AnchorPair& anchor, Vec3 d, Real position);
 // One row: the anchors stay level along d.
 void lock_level(const Joint& j, RowWriter& out, const AnchorPair& anchor, Vec3 d);
 

@@ -47,7 +47,7 @@ struct Piston : LastingJoint {
     LimitMotor* stops_of(int i) { return &motor[i]; }
     JointAxis axis_at(int i) const
     {
-        if (i == 0) return {separated_jacobian(*this, anchor, motion_axis()), position()};
+        if (i == 0) return separated_axis(*this, anchor, motion_axis(), position());
         return {angular_jacobian(*this, sign() * axis_world()), sign() * angle(), true};
     }
     bool set_param(int param, Real value) { return motor_of(motor, param).set(param, value); }

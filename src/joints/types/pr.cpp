@@ -59,7 +59,7 @@ struct PR : LastingJoint {
     LimitMotor* stops_of(int i) { return &motor[i]; }
     JointAxis axis_at(int i) const
     {
-        if (i == 0) return {separated_jacobian(*this, anchor, slide_motion()), position()};
+        if (i == 0) return separated_axis(*this, anchor, slide_motion(), position());
         return {angular_jacobian(*this, sign() * turn()), sign() * angle(), true};
     }
     bool set_param(int param, Real value) { return motor_of(motor, param).set(param, value); }

@@ -63,7 +63,7 @@ struct PU : LastingJoint {
     JointAxis axis_at(int i) const
     {
         if (i < 2) return {angular_jacobian(*this, user_axis(i)), user_angle(i), true};
-        return {separated_jacobian(*this, anchor, slide_motion()), position()};
+        return separated_axis(*this, anchor, slide_motion(), position());
     }
     bool set_param(int param, Real value) { return set_by_group(motor, param, value); }
     bool get_param(int param, Real& value) const { return get_by_group(motor, param, value); }

@@ -51,7 +51,11 @@ struct Slider : LastingJoint {
     void bodies_changed() { take_pose(); }
     static int axes() { return 1; }
     LimitMotor* stops_of(int) { return &motor; }
-    JointAxis axis_at(int) const { return {sliding_jacobian(*this, motion_axis()), position()}; }
+    JointAxis axis_at(int) const
+    {
+        const Vec3 x2 = body2() ? body2()->position() : Vec3{};
+        return {sliding_jacobian(*this, motion_axis()), position(), false, true, body1()->position(), x2};
+    }
     bool set_param(int param, Real value) { return motor.set(param, value); }
     bool get_param(int param, Real& value) const { return motor.get(param, value); }
     void state(StateStream& stream) { motor.state(*world, stream); }

@@ -185,6 +185,39 @@ TEST_P(Drive, armature_is_a_geared_rotor)
     EXPECT_NEAR(spin(link).z, torque * 50 * kStep / (arm + ratio * ratio * rotor), tol(1e-9, 1e-5));
 }
 
+// On a turntable that turns at W a bob of mass m slides outward with an armature I:  (m + I) r'' = m W^2 r, since the rotor
+// does not turn about the table's axis. So r = r0 cosh(W sqrt(m / (m + I)) t).
+TEST_P(Drive, armature_on_a_turntable_is_not_thrown_outward)
+{
+    for (const bool coupled : {false, true}) {
+        SCOPED_TRACE(coupled ? "of a coupling" : "of the joint");
+        const double turning = 2, r0 = 0.5, h = 0.0005;
+        Sim sim;
+        calm(sim);
+        dWorldSetQuickStepNumIterations(sim.world, 100);
+        const dBodyID table = sim.body({0, 0, 0}, 1e4, 1e4), bob = sim.body({r0, 0, 0}, 1);
+        const dJointID axle = dJointCreateHinge(sim.world, nullptr),
+                       rail = dJointCreateSlider(sim.world, nullptr);
+        dJointAttach(axle, table, nullptr), dJointAttach(rail, bob, table);
+        dJointSetHingeAxis(axle, 0, 0, 1), dJointSetSliderAxis(rail, 1, 0, 0);
+        dBodySetAngularVel(table, 0, 0, real(turning)), dBodySetAngularVel(bob, 0, 0, real(turning));
+        velocity(bob, {0, turning * r0, 0});
+        dDrive drive = no_drive();
+        drive.armature = 3;
+        dJointID driven = rail;
+        if (coupled) {
+            driven = dJointCreateCoupling(sim.world, nullptr);
+            dJointSetCouplingAxis(driven, 0, rail, 0, 1);
+            dJointSetCouplingParam(driven, dParamLoStop, -dInfinity);
+            dJointSetCouplingParam(driven, dParamHiStop, dInfinity);
+        }
+        dJointSetDrive(driven, 0, &drive);
+        step(sim, GetParam(), h, 1000);
+        EXPECT_NEAR(length(position(bob)), r0 * std::cosh(turning * std::sqrt(0.25) * 1000 * h), 2e-3);
+        EXPECT_NEAR(double(dJointGetDriveForce(driven, 0)), 0, 0.02) << "a rotor alone";
+    }
+}
+
 double swing_distance(Way way, double h)
 {
     Sim sim;
