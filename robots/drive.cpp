@@ -58,16 +58,16 @@ void Robot::set_positions(const std::vector<double>& positions)
     const std::vector<Pose> poses = forward_kinematics(model(), positions);
     for (size_t i = 1; i < poses.size(); ++i)
         if (bodies_[i]) stop_at(bodies_[i], placement_ * poses[i] * Pose{model().links[i].centre, {}});
-    for (size_t i = 0; i < joints_.size(); ++i)  // turns count from here
+    for (const Small& small : small_) {
+        const Pose pose = forward_kinematics(model(), held(small, positions))[size_t(small.link)];
+        stop_at(small.body, placement_ * pose * Pose{model().links[size_t(small.link)].centre, {}});
+    }
+    for (size_t i = 0; i < joints_.size(); ++i)  // turns count from here, where all bodies are
         if (joints_[i] && model().joints[i].kind == JointKind::kHinge &&
             dJointGetAxisContinuous(joints_[i], 0)) {
             dJointSetAxisContinuous(joints_[i], 0, 0);
             dJointSetAxisContinuous(joints_[i], 0, 1);
         }
-    for (const Small& small : small_) {
-        const Pose pose = forward_kinematics(model(), held(small, positions))[size_t(small.link)];
-        stop_at(small.body, placement_ * pose * Pose{model().links[size_t(small.link)].centre, {}});
-    }
 }
 
 std::vector<double> Robot::positions() const

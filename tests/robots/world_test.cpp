@@ -109,6 +109,21 @@ TEST_F(RobotTest, PositionsOfEveryKindOfJointComeBack)
 }
 
 // They come back, and a short step moves the coordinates by them.
+// Hinges without limits count turns, from where all bodies are set, the small ones between the joints of a link too.
+TEST_F(RobotTest, PositionsOfSeveralHingesOfALinkComeBackWithoutATurn)
+{
+    load_text(
+        "<mujoco><worldbody><body><joint axis='1 0 0'/><joint axis='0 1 0'/><joint axis='0 0 1'/><geom "
+        "type='box' "
+        "size='.1 .2 .3'/></body></worldbody></mujoco>");
+    for (const dReal sign : {1, -1, 1, -1}) {
+        const dReal q[3] = {dReal(2.7) * sign, dReal(-1.1), dReal(-2.9) * sign};
+        ASSERT_EQ(dRobotSetPositions(robot, q, 3), 1);
+        const std::vector<dReal> back = positions();
+        for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(back[i], q[i], kExact) << i;
+    }
+}
+
 TEST_F(RobotTest, VelocitiesOfEveryKindOfJointComeBackAndMoveThem)
 {
     load("walker.xml");
