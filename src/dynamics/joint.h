@@ -34,6 +34,7 @@ struct JointNode {
 };
 
 // One of a joint's axes: J v is the derivative of `value`, both in the sense in which a client reads them.
+enum class AxisCarrier : char { kNone, kBody1, kBody2, kBetween };
 struct JointAxis {
     Jacobian J;
     Real value = 0;      // m or rad
@@ -41,6 +42,10 @@ struct JointAxis {
     // A position along a direction of body 1, J.lin1, from a point of body 2 to one of body 1.
     bool slides = false;
     Vec3 point1{}, point2{};
+    // One of several angles: what carries the axis that it turns about, which the J of the others leave out. Without
+    // an axis it is J itself that is carried.
+    AxisCarrier carrier = AxisCarrier::kNone;
+    Vec3 axis{};
 };
 
 struct JointType {

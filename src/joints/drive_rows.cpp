@@ -9,8 +9,8 @@
 //   friction  w' = 0,   |lambda| <= F
 //
 // each implicit in the rate w' after the step or substep (RowDrive), alongside the row of stop and motor. A rotor
-// resists the second derivative of q, J dv/dt + D, where the drift D = dJ/dt v is what bodies have that move
-// uniformly: of a slide that turns its centrifugal acceleration.
+// resists the second derivative of q, J dv/dt + D. The drift D = dJ/dt v is that of bodies that move uniformly:
+// of a slide that turns its centrifugal acceleration, of several angles their Coriolis terms.
 // Without a limit, servo and rotor are one row, the sum of both. A servo without k and d is a constant force:
 // with a rotor it is part of the rotor's row; without one it is a row with equal bounds.
 #include "joints/drive_rows.h"
@@ -63,36 +63,74 @@ Real rate(const Joint& joint, const RowWriter& out, const Jacobian& J)
     return dot(J.lin1, m[0].v) + dot(J.ang1, m[0].w) + dot(J.lin2, m[1].v) + dot(J.ang2, m[1].w);
 }
 
-// Of a slide  q = d.(p1 - p2)  along a direction d of body 1. A hinge has none; that of other angles, which turn
-// with two axes at a time, is left out.
-Real drift(const Joint& joint, int i, const BodyMotion* motion);
+// D of a joint's axes at the velocities of its bodies.
+class Drift {
+  public:
+    Drift(const Joint& joint, const BodyMotion* motion) : joint_(joint)
+    {
+        const Body *b1 = joint.body1(), *b2 = joint.body2();
+        m1_ = motion ? motion[0] : BodyMotion{b1->velocity(), b1->angular_velocity()};
+        if (b2) m2_ = motion ? motion[1] : BodyMotion{b2->velocity(), b2->angular_velocity()};
+    }
 
-Real drift_of_coupling(const CouplingJoint& coupling)
-{
-    Real sum = 0;
-    for_each_member(coupling, [&](const CoupledAxis& m) {
-        if (m.joint->attached() && m.axis < axis_count(*m.joint))
-            sum += m.factor * drift(*m.joint, m.axis, nullptr);
-    });
-    return sum;
-}
+    Real of(int i) const
+    {
+        const JointAxis at = joint_.type->axis(joint_, i);
+        if (at.slides) return of_slide(at);
+        if (at.carrier == AxisCarrier::kNone) return 0;
+        const Vec3 n = at.J.ang1;
+        if (at.axis == Vec3{}) return dot(cross(spin(at.carrier, {}), n), m1_.w - m2_.w);
+        return -dot(n, swing());
+    }
+
+  private:
+    // q = d.(p1 - p2)  along a direction d of body 1.
+    Real of_slide(const JointAxis& at) const
+    {
+        const Body* b2 = joint_.body2();
+        const Vec3 d = at.J.lin1, turned = cross(m1_.w, d);
+        const Vec3 u1 = cross(m1_.w, at.point1 - joint_.body1()->position());
+        const Vec3 u2 = b2 ? cross(m2_.w, at.point2 - b2->position()) : Vec3{};
+        return dot(d, cross(m1_.w, u1) - cross(m2_.w, u2)) + 2 * dot(turned, m1_.v + u1 - m2_.v - u2) +
+               dot(cross(m1_.w, turned), at.point1 - at.point2);
+    }
+
+    // Angles with rates r_i about axes a_i, of which J has the dual basis n_i: w1 - w2 = sum r_i a_i. As n_i.a_j does
+    // not change, D_i = -n_i.s with the swing s = sum r_j da_j/dt.
+    Vec3 swing() const
+    {
+        const int axes = axis_count(joint_);
+        Vec3 sum, before;  // what turns between body 1 and the next axis
+        for (const bool between : {false, true})
+            for (int j = 0; j < axes; ++j) {
+                const JointAxis at = joint_.type->axis(joint_, j);
+                if (at.slides || (at.carrier == AxisCarrier::kBetween) != between) continue;
+                const Vec3 turn = dot(at.J.ang1, m1_.w - m2_.w) * at.axis;
+                if (at.carrier == AxisCarrier::kBody1) before = turn;
+                sum += cross(spin(at.carrier, before), turn);
+            }
+        return sum;
+    }
+
+    Vec3 spin(AxisCarrier carrier, Vec3 before) const
+    {
+        if (carrier == AxisCarrier::kBody2) return m2_.w;
+        return carrier == AxisCarrier::kBody1 ? m1_.w : m1_.w - before;
+    }
+
+    const Joint& joint_;
+    BodyMotion m1_, m2_;
+};
 
 Real drift(const Joint& joint, int i, const BodyMotion* motion)
 {
-    if (is_coupling(joint)) return drift_of_coupling(coupling_of(joint));
-    const JointAxis at = joint.type->axis(joint, i);
-    if (!at.slides) return 0;
-    const Body *b1 = joint.body1(), *b2 = joint.body2();
-    const Vec3 w1 = motion ? motion[0].w : b1->angular_velocity(), v1 = motion ? motion[0].v : b1->velocity();
-    Vec3 w2, v2, r2;
-    if (b2) {
-        w2 = motion ? motion[1].w : b2->angular_velocity(), v2 = motion ? motion[1].v : b2->velocity();
-        r2 = at.point2 - b2->position();
-    }
-    const Vec3 d = at.J.lin1, turned = cross(w1, d), r1 = at.point1 - b1->position();
-    const Vec3 u1 = cross(w1, r1), u2 = cross(w2, r2);
-    return dot(d, cross(w1, u1) - cross(w2, u2)) + 2 * dot(turned, v1 + u1 - v2 - u2) +
-           dot(cross(w1, turned), at.point1 - at.point2);
+    if (!is_coupling(joint)) return Drift(joint, motion).of(i);
+    Real sum = 0;
+    for_each_member(coupling_of(joint), [&](const CoupledAxis& m) {
+        if (m.joint->attached() && m.axis < axis_count(*m.joint))
+            sum += m.factor * Drift(*m.joint, nullptr).of(m.axis);
+    });
+    return sum;
 }
 
 Row& soft_row(RowWriter& out, const Jacobian& J, const RowDrive& drive, Real error, Real limit)

@@ -152,13 +152,22 @@ JointAxis AMotor::axis_at(int i) const
 {
     if (mode != dAMotorEuler) {
         const Vec3 axis = given_axis(i);
-        return {angular_jacobian(*this, reverse ? -axis : axis), angle[i]};
+        const Body* carries = frame(i);
+        return {angular_jacobian(*this, reverse ? -axis : axis),
+                angle[i],
+                false,
+                false,
+                {},
+                {},
+                !carries ? AxisCarrier::kNone : carrier_of(carries == body1() ? 0 : 1)};
     }
     const Euler& now = euler();
     const Vec3(&a)[3] = now.a;
     const Real volume = std::max(dot(a[0], cross(a[1], a[2])), kNearLock);
     const Vec3 dual = cross(a[(i + 1) % 3], a[(i + 2) % 3]) / volume;
-    return {angular_jacobian(*this, reverse ? -dual : dual), now.angle[i], true};
+    const AxisCarrier carrier = i == 1 ? AxisCarrier::kBetween : carrier_of(node_of(*this, i / 2));
+    return angle_among(angular_jacobian(*this, reverse ? -dual : dual), now.angle[i], carrier,
+                       reverse ? -a[i] : a[i]);
 }
 
 void AMotor::emit(RowWriter& out)

@@ -128,7 +128,8 @@ JointAxis Hinge2::axis_at(int i) const
 {
     const Vec3 a = axis(i), other = axis(1 - i);
     const Real c = dot(a, other), s2 = std::max(1 - c * c, Real(1e-3));
-    return {angular_jacobian(*this, (a - c * other) / s2), i == 0 ? angle(0) : -angle(1), true};
+    return angle_among(angular_jacobian(*this, (a - c * other) / s2), i == 0 ? angle(0) : -angle(1),
+                       carrier_of(i), a);
 }
 
 bool Hinge2::set_param(int param, Real value)

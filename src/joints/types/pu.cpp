@@ -62,8 +62,9 @@ struct PU : LastingJoint {
     LimitMotor* stops_of(int i) { return &motor[i]; }
     JointAxis axis_at(int i) const
     {
-        if (i < 2) return {angular_jacobian(*this, user_axis(i)), user_angle(i), true};
-        return separated_axis(*this, anchor, slide_motion(), position());
+        if (i == 2) return separated_axis(*this, anchor, slide_motion(), position());
+        const Vec3 a = user_axis(i);
+        return angle_among(angular_jacobian(*this, a), user_angle(i), carrier_of(node_of(*this, i)), a);
     }
     bool set_param(int param, Real value) { return set_by_group(motor, param, value); }
     bool get_param(int param, Real& value) const { return get_by_group(motor, param, value); }

@@ -43,8 +43,8 @@ struct Universal : LastingJoint {
     // Attached as (0, B), angle 2 runs against its axis.
     JointAxis axis_at(int i) const
     {
-        const Vec3 a = user_axis(i);
-        return {angular_jacobian(*this, reverse && i == 1 ? -a : a), user_angle(i), true};
+        const Vec3 a = reverse && i == 1 ? -user_axis(i) : user_axis(i);
+        return angle_among(angular_jacobian(*this, a), user_angle(i), carrier_of(node_of(*this, i)), a);
     }
     bool set_param(int param, Real value) { return motor_of(motor, param).set(param, value); }
     bool get_param(int param, Real& value) const { return motor_of(motor, param).get(param, value); }
