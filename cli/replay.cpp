@@ -19,6 +19,7 @@
 #include "cli/plan.h"
 #include "cli/progress.h"
 #include "cli/rerun.h"
+#include "cli/robot.h"
 #include "record/file/hash.h"
 #include "record/file/reader.h"
 #include "scenes/messages.h"
@@ -108,6 +109,7 @@ int replay(const ReplayOptions& options)
     if (!options.stepper.empty()) run.stepper = options.stepper;
     if (options.iterations >= 0) run.iterations = options.iterations;
     run.steps = int(std::max<size_t>(1, was.steps.size() - 1));
+    if (!offer_robot(run.scene, false, problem)) return complain(run.scene, problem);
     const scenes::Recipe* recipe = scenes::find_recipe(run.scene);
     if (!recipe) return refuse(no_such_scene(run.scene));
     RunPlan plan;

@@ -33,6 +33,13 @@ expect 1 run "$models/meshes/none.urdf"
 expect 0 run "$models/arm.urdf" --steps 20 --json --quiet
 expect 0 record "$models/fourbar.xml" --steps 20 --quiet -o "$work/fourbar.epr"
 expect 0 inspect "$work/fourbar.epr"
+expect 0 replay "$work/fourbar.epr" --quiet
+has out "the same in all 21 states"
+cp "$models/../../../demos/robots/quadruped.xml" "$work/gone.xml"
+expect 0 record "$work/gone.xml" --steps 2 --quiet -o "$work/gone.epr"
+rm "$work/gone.xml"
+expect 1 replay "$work/gone.epr"
+has err "gone.xml' is no file"
 # The demo stands up: its trunk comes to the height of its legs.
 expect 0 run "$models/../../../demos/robots/quadruped.xml" --seconds 3 --quiet --trace "$work/trace.csv"
 height=$(tail -n 1 "$work/trace.csv" | cut -d, -f11)
