@@ -97,6 +97,7 @@ void Mjcf::read_compiler(const Element& element)
     };
     if (element.has("angle")) c.degrees = element.text("angle") != "radian";
     flag("autolimits", c.autolimits), flag("balanceinertia", c.balance), flag("strippath", c.strip_path);
+    flag("alignfree", c.align_free);
     word("inertiafromgeom", c.from_geoms), word("eulerseq", c.euler), word("meshdir", c.mesh_dir);
     word("assetdir", c.asset_dir);
     std::vector<double> groups;

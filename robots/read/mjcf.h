@@ -22,7 +22,7 @@ class Mjcf {
 
   private:
     struct Compiler {
-        bool degrees = true, autolimits = true, balance = false, strip_path = false;
+        bool degrees = true, autolimits = true, balance = false, strip_path = false, align_free = false;
         std::string from_geoms = "auto", euler = "xyz", mesh_dir, asset_dir;
         int low_group = 0, high_group = 5;
         double total_mass = -1, bound_mass = 0, bound_inertia = 0;

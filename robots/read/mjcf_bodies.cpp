@@ -187,6 +187,10 @@ void Mjcf::read_free_joint(const Attributes& a, const Scope& scope)
     Link& link = model_.links[size_t(scope.link)];
     if (link.parent != 0 || !link.joints.empty())
         return reading_.error(element, "a free joint is the only one of a body of the world");
+    const std::string align = a.text("align");
+    if (align == "true" || (align != "false" && compiler_.align_free))
+        reading_.note_once(Note::kChanged, element,
+                           "frames of free bodies are the file's, not aligned with inertias");
     read_passive(a, joint);
     if (joint.armature > 0 || joint.damping > 0 || joint.friction > 0 || joint.stiffness > 0)
         reading_.note(Note::kApproximated, element,

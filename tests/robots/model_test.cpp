@@ -122,6 +122,21 @@ TEST(Mjcf, FreeJointsHaveAnArmatureWhereTheirClassSaysSo)
     EXPECT_EQ(load_robot_text("x.xml", head + "<freejoint/>" + foot).joints[0].armature, 0);
 }
 
+TEST(Mjcf, FreeBodiesThatAreToBeAlignedAreReported)
+{
+    const auto lines = [](const std::string& compiler, const std::string& joint) {
+        return load_robot_text("robot.xml",
+                               "<mujoco><compiler " + compiler + "/><worldbody><body><" + joint +
+                                   "/><geom size='0.1' pos='1 0 0'/></body></worldbody></mujoco>",
+                               {})
+            .report.size();
+    };
+    EXPECT_EQ(lines("", "freejoint"), 0u);
+    EXPECT_EQ(lines("", "freejoint align='true'"), 1u);
+    EXPECT_EQ(lines("alignfree='true'", "freejoint"), 1u);
+    EXPECT_EQ(lines("alignfree='true'", "freejoint align='false'"), 0u);
+}
+
 TEST(Mjcf, MassesComeFromGeoms)
 {
     const RobotModel model = load_robot(kModels + "/walker.xml");
