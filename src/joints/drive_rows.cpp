@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "joints/coupling.h"
 #include "joints/parts.h"
@@ -63,6 +64,8 @@ Real rate(const Joint& joint, const RowWriter& out, const Jacobian& J)
     return dot(J.lin1, m[0].v) + dot(J.ang1, m[0].w) + dot(J.lin2, m[1].v) + dot(J.ang2, m[1].w);
 }
 
+bool drifts(const JointAxis& at) { return at.slides || at.carrier != AxisCarrier::kNone; }
+
 // D of a joint's axes at the velocities of its bodies.
 class Drift {
   public:
@@ -73,14 +76,13 @@ class Drift {
         if (b2) m2_ = motion ? motion[1] : BodyMotion{b2->velocity(), b2->angular_velocity()};
     }
 
-    Real of(int i) const
+    Real of(const JointAxis& at)
     {
-        const JointAxis at = joint_.type->axis(joint_, i);
         if (at.slides) return of_slide(at);
-        if (at.carrier == AxisCarrier::kNone) return 0;
         const Vec3 n = at.J.ang1;
         if (at.axis == Vec3{}) return dot(cross(spin(at.carrier, {}), n), m1_.w - m2_.w);
-        return -dot(n, swing());
+        if (!has_swing_) swing_ = swing(), has_swing_ = true;
+        return -dot(n, swing_);
     }
 
   private:
@@ -99,16 +101,21 @@ class Drift {
     // not change, D_i = -n_i.s with the swing s = sum r_j da_j/dt.
     Vec3 swing() const
     {
-        const int axes = axis_count(joint_);
         Vec3 sum, before;  // what turns between body 1 and the next axis
-        for (const bool between : {false, true})
-            for (int j = 0; j < axes; ++j) {
-                const JointAxis at = joint_.type->axis(joint_, j);
-                if (at.slides || (at.carrier == AxisCarrier::kBetween) != between) continue;
-                const Vec3 turn = dot(at.J.ang1, m1_.w - m2_.w) * at.axis;
-                if (at.carrier == AxisCarrier::kBody1) before = turn;
-                sum += cross(spin(at.carrier, before), turn);
+        JointAxis between;
+        for (int i = 0; i < axis_count(joint_); ++i) {
+            const JointAxis at = joint_.type->axis(joint_, i);
+            if (at.slides) continue;
+            if (at.carrier == AxisCarrier::kBetween) {
+                between = at;
+                continue;
             }
+            const Vec3 turn = dot(at.J.ang1, m1_.w - m2_.w) * at.axis;
+            if (at.carrier == AxisCarrier::kBody1) before = turn;
+            sum += cross(spin(at.carrier, {}), turn);
+        }
+        if (between.carrier == AxisCarrier::kBetween)
+            sum += cross(spin(between.carrier, before), dot(between.J.ang1, m1_.w - m2_.w) * between.axis);
         return sum;
     }
 
@@ -120,15 +127,17 @@ class Drift {
 
     const Joint& joint_;
     BodyMotion m1_, m2_;
+    Vec3 swing_;
+    bool has_swing_ = false;
 };
 
-Real drift(const Joint& joint, int i, const BodyMotion* motion)
+Real drift_of_members(const CouplingJoint& coupling)
 {
-    if (!is_coupling(joint)) return Drift(joint, motion).of(i);
     Real sum = 0;
-    for_each_member(coupling_of(joint), [&](const CoupledAxis& m) {
-        if (m.joint->attached() && m.axis < axis_count(*m.joint))
-            sum += m.factor * Drift(*m.joint, nullptr).of(m.axis);
+    for_each_member(coupling, [&](const CoupledAxis& m) {
+        if (!m.joint->attached() || m.axis >= axis_count(*m.joint)) return;
+        const JointAxis at = m.joint->type->axis(*m.joint, m.axis);
+        if (drifts(at)) sum += m.factor * Drift(*m.joint, nullptr).of(at);
     });
     return sum;
 }
@@ -176,16 +185,17 @@ void emit_servo(RowWriter& out, AxisDrive& axis, const JointAxis& at, Real error
     if (out.count() == axis.servo_row) axis.servo_row = -1;
 }
 
-void emit_axis(Joint& joint, int i, AxisDrive& axis, RowWriter& out)
+// `drift`: that of the axis; asked for if there is a rotor.
+template <typename DriftOf>
+void emit_axis(Joint& joint, const JointAxis& at, AxisDrive& axis, RowWriter& out, DriftOf&& drift)
 {
-    const JointAxis at = joint.type->axis(joint, i);
     const Real value = position(at, axis);
     axis.servo_row = -1, axis.with_rotor = false;
     if (!out.info().inner) axis.reference = value;
     if (!axis.driven || (is_zero(at.J) && out.terms().empty())) return;
     out.emit_every_substep();
     axis.rate = rate(joint, out, at.J);
-    axis.drift = axis.drive.armature > 0 ? drift(joint, i, out.motion()) : 0;
+    axis.drift = axis.drive.armature > 0 ? drift() : 0;
     if (!out.info().inner) axis.start_rate = axis.rate, axis.start_drift = axis.drift, axis.passes = 0;
     ++axis.passes;
     emit_servo(out, axis, at, error(at, axis, value));
@@ -210,8 +220,17 @@ Real axis_rate(const Joint& joint, int i)
 
 void emit_drives(Joint& joint, RowWriter& out)
 {
-    const int axes = axis_count(joint);
-    for (int i = 0; i < axes; ++i) emit_axis(joint, i, drives_of(joint).axis[i], out);
+    const int count = axis_count(joint);
+    std::optional<Drift> drift;
+    for (int i = 0; i < count; ++i) {
+        const JointAxis at = joint.type->axis(joint, i);
+        emit_axis(joint, at, drives_of(joint).axis[i], out, [&]() -> Real {
+            if (is_coupling(joint)) return drift_of_members(coupling_of(joint));
+            if (!drifts(at)) return 0;
+            if (!drift) drift.emplace(joint, out.motion());
+            return drift->of(at);
+        });
+    }
 }
 
 void store_drive_forces(Joint& joint, const RowBlock& block, const RowSystem& system)
