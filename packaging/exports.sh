@@ -4,6 +4,7 @@
 #
 # exports.sh INCLUDE_DIR CC [-DdIDESINGLE]: a linker version script with every name that the public headers mark
 # ODE_API, and nothing else. exports.sh --names ...: the names alone, sorted. exports.sh --def ...: a module definition for Windows.
+# exports.sh --options ...: options for WebAssembly's linker.
 # The preprocessor leaves a marker where ODE_API stood; what is declared is the first word after it that begins
 # with d and a capital and stands before a parenthesis or the semicolon.
 set -eu
@@ -31,6 +32,7 @@ if [ "$(echo "$found" | wc -l)" -lt 400 ]; then
 fi
 case $form in
     names) echo "$found" ;;
+    options) echo "$found" | sed 's/^/--export=/' ;;
     def)
         echo EXPORTS
         echo "$found"

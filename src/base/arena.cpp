@@ -10,23 +10,46 @@
 #include <mutex>
 
 #include "base/check.h"
+#include "base/system_threads.h"
 
 namespace epode {
 namespace {
 
-std::recursive_mutex g_client_functions;
+class RecursiveLock {
+  public:
+    RecursiveLock()
+    {
+        pthread_mutexattr_t attributes;
+        pthread_mutexattr_init(&attributes);
+        pthread_mutexattr_settype(&attributes, PTHREAD_MUTEX_RECURSIVE);
+        pthread_mutex_init(&mutex_, &attributes);
+        pthread_mutexattr_destroy(&attributes);
+    }
+    void lock() { pthread_mutex_lock(&mutex_); }
+    void unlock() { pthread_mutex_unlock(&mutex_); }
+
+  private:
+    pthread_mutex_t mutex_;
+};
+
+// Never destroyed: an arena may outlive the library's other statics.
+RecursiveLock& client_functions()
+{
+    static RecursiveLock lock;
+    return lock;
+}
 
 void* take_block(const ArenaSupply& supply, std::size_t size)
 {
     if (!supply.alloc) return allocate(size);
-    std::lock_guard guard(g_client_functions);
+    std::lock_guard guard(client_functions());
     return allocate_from(supply.alloc, size);
 }
 
 void give_block(dFreeFunction* free, void* block, std::size_t size)
 {
     if (!free) return release(block, size);
-    std::lock_guard guard(g_client_functions);
+    std::lock_guard guard(client_functions());
     release_to(free, block, size);
 }
 

@@ -2,6 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 #pragma once
 
+#include <sched.h>
+
 namespace epode {
 
 // Tells the processor that this is a loop that waits.
@@ -13,5 +15,8 @@ inline void spin_once()
     asm volatile("yield");
 #endif
 }
+
+// Another thread may have this one's core.
+inline void yield_core() { sched_yield(); }
 
 }  // namespace epode

@@ -131,6 +131,8 @@ inline unsigned bits(Ints yes)
 #if defined(__SSE2__)
     typedef float Vector __attribute__((vector_size(16)));
     return unsigned(__builtin_ia32_movmskps(Vector(yes)));
+#elif defined(__wasm_simd128__)
+    return unsigned(__builtin_wasm_bitmask_i32x4(yes));
 #else
     return unsigned((yes[0] & 1) | (yes[1] & 2) | (yes[2] & 4) | (yes[3] & 8));
 #endif
@@ -141,6 +143,9 @@ inline unsigned bits(Bytes yes)
 #if defined(__SSE2__)
     typedef char Vector __attribute__((vector_size(16)));
     return unsigned(__builtin_ia32_pmovmskb128(Vector(yes)));
+#elif defined(__wasm_simd128__)
+    typedef signed char Vector __attribute__((vector_size(16)));
+    return unsigned(__builtin_wasm_bitmask_i8x16(Vector(yes)));
 #else
     unsigned all = 0;
     for (int i = 0; i < 16; ++i) all |= (yes[i] & 1u) << i;
@@ -203,7 +208,7 @@ inline unsigned MeshNode::met_by(const HalfSpace& space) const
             const std::uint8_t* nearest = space.n[i] > 0 ? lo[i] : hi[i];
             least += floats(space.n[i]) * (floats(origin[i]) + places(nearest + k) * floats(step[i]));
         }
-        met |= bits(least <= floats(space.d)) << k;
+        met |= bits(Ints(least <= floats(space.d))) << k;
     }
     return met & there();
 }
@@ -226,7 +231,7 @@ inline unsigned MeshNode::met_by(const NodeRay& ray, float reach, float (&near)[
             last = smaller(base[i] + places(out[i] + k) * grain[i], last);
         }
         __builtin_memcpy(near + k, &first, sizeof(first));
-        met |= bits(first <= last) << k;
+        met |= bits(Ints(first <= last)) << k;
     }
     return met & there();
 }

@@ -46,7 +46,7 @@ inline unsigned MeshPacket::whole() const
     using namespace mesh_lanes;
     Ints there;
     __builtin_memcpy(&there, lanes, sizeof(there));
-    return bits(there >= Ints{});
+    return bits(Ints(there >= Ints{}));
 }
 
 namespace mesh_lanes {

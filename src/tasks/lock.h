@@ -6,10 +6,11 @@
 // fork. Time is that of the monotonic clock: setting the machine's clock neither ends nor prolongs a wait.
 #pragma once
 
-#include <pthread.h>
 #include <time.h>
 
 #include <new>
+
+#include "base/system_threads.h"
 
 namespace epode {
 

@@ -5,9 +5,8 @@
 // locking twice from one thread, and unlocking another thread's mutex, are refused.
 #pragma once
 
-#include <pthread.h>
-
 #include "base/objects/handle.h"
+#include "base/system_threads.h"
 #include "ode/threading.h"
 
 namespace epode {

@@ -1,21 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What tasks ask of the operating system where POSIX and Windows differ. The rest, threads and clocks,
-// MinGW-w64 has as POSIX does.
+// What tasks ask of the operating system where POSIX, Windows and WebAssembly differ. The rest, threads and
+// clocks, MinGW-w64 has as POSIX does (and WebAssembly as base/one_thread.h does).
 #pragma once
 
 #include <limits.h>
-#include <pthread.h>
 
 #include <cstddef>
 #include <cstdint>
-#if !defined(_WIN32)
+
+#include "base/system_threads.h"
+#if !defined(__wasm__)
+#include <thread>
+#endif
+#if !defined(_WIN32) && !defined(__wasm__)
 #include <signal.h>
 #include <sys/resource.h>
 #endif
 
 namespace epode {
+
+// 0: unknown.
+inline unsigned system_processors()
+{
+#if defined(__wasm__)
+    return 1;
+#else
+    return std::thread::hardware_concurrency();
+#endif
+}
 
 // How often this thread lost its core although it could have continued; 0 where the system does not tell.
 inline long times_unseated()
@@ -27,9 +41,9 @@ inline long times_unseated()
     return 0;
 }
 
-#if defined(_WIN32)
+#if defined(_WIN32) || defined(__wasm__)
 
-// Of a thread, bytes. The system takes 32 bits of it and says nothing.
+// Of a thread, bytes. Windows takes 32 bits of it and says nothing.
 inline constexpr std::size_t kLeastStack = 16 * 1024, kMostStack = INT32_MAX;
 
 // There are no forks.

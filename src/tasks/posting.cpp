@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <thread>
 
 #include "base/float_environment.h"
 #include "base/objects/pool.h"
+#include "base/spin.h"
 #include "tasks/worker.h"
 
 namespace epode {
@@ -105,7 +105,7 @@ void Posting::run(int calls, int count, Piece piece, void* body) const
     }
     post_and_wait(calls, job);
     job->work(0);
-    while (job->done.load(std::memory_order_acquire) < count) std::this_thread::yield();
+    while (job->done.load(std::memory_order_acquire) < count) yield_core();
     job->leave();
 }
 

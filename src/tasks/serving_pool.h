@@ -6,9 +6,8 @@
 // leave is refused, because the thread that could give the order may be the one that waits.
 #pragma once
 
-#include <pthread.h>
-
 #include "base/objects/handle.h"
+#include "base/system_threads.h"
 #include "ode/threading_impl.h"
 #include "tasks/call_queue.h"
 

@@ -8,7 +8,6 @@
 #include "tasks/thread_pool.h"
 
 #include <new>
-#include <thread>
 
 #include "base/address_wait.h"
 #include "base/float_environment.h"
@@ -141,7 +140,7 @@ void ThreadPool::start_up_to(int threads)
 
 void ThreadPool::stop()
 {
-    while (taken_.test_and_set(std::memory_order_acquire)) std::this_thread::yield();
+    while (taken_.test_and_set(std::memory_order_acquire)) yield_core();
     ending_.store(true, std::memory_order_release);
     news_.fetch_add(1, std::memory_order_acq_rel);
     wake_waiting(news_);
@@ -186,7 +185,7 @@ bool Tasks::alone() const { return workers_ == 1 || t_worker >= 0 || (!posting_ 
 
 int processor_count()
 {
-    const unsigned n = std::thread::hardware_concurrency();
+    const unsigned n = system_processors();
     return n < 1 ? 1 : n > unsigned(ThreadPool::kMaxThreads) ? ThreadPool::kMaxThreads : int(n);
 }
 

@@ -6,10 +6,9 @@
 // when helpers lose their cores to other processes and cost more than they contribute (help_balance.h).
 #pragma once
 
-#include <pthread.h>
-
 #include <atomic>
 
+#include "base/system_threads.h"
 #include "tasks/help_balance.h"
 
 namespace epode {

@@ -7,8 +7,6 @@
 
 #include <time.h>
 
-#include <thread>
-
 #include "base/spin.h"
 
 namespace epode {
@@ -31,14 +29,14 @@ class Waiting {
 
     void once()
     {
-        constexpr int kSpins = 2000;  // tens of microseconds
-        if (spins_ < kSpins) {
+        constexpr int kShortWait = 2000;  // tens of microseconds
+        if (spins_ < kShortWait) {
             ++spins_;
             spin_once();
             return;
         }
         if (!counted_) begin_ = nanoseconds_now(), counted_ = true;
-        std::this_thread::yield();
+        yield_core();
     }
 
     // The wait is over; the next one begins with spins again.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Calls of the file system that POSIX and Windows name or mean differently. Each returns what its POSIX
-// original does; errno tells why it fails. On Windows a path is in the program's code page.
+// Calls of the file system that POSIX and Windows name or mean differently, or WebAssembly lacks. Each returns
+// what its POSIX original does; errno tells why it fails. On Windows a path is in the program's code page.
 #pragma once
 
 #include <fcntl.h>
@@ -53,5 +53,15 @@ inline int flush_to_disk(int file) { return ::fsync(file); }
 inline int replace_file(const char* from, const char* to) { return ::rename(from, to); }
 
 #endif
+
+// Differs between the processes that may write a file at the same time; in WebAssembly they are unknown.
+inline long process_number()
+{
+#if defined(__wasm__)
+    return 0;
+#else
+    return long(::getpid());
+#endif
+}
 
 }  // namespace epode

@@ -84,7 +84,7 @@ const char* write_file(const char* path, std::span<const std::byte> bytes, char*
     struct stat about;
     if (::stat(path, &about) == 0 && !S_ISREG(about.st_mode)) return kNoFile;
     char fresh[4096];
-    const int length = std::snprintf(fresh, sizeof fresh, "%s.%ld.new", path, long(::getpid()));
+    const int length = std::snprintf(fresh, sizeof fresh, "%s.%ld.new", path, process_number());
     if (length >= int(sizeof fresh)) return "the path is too long";
     Descriptor file(open_new(fresh));
     if (!file.is_open()) return why(path, text, text_size);

@@ -4,7 +4,9 @@
 // Memory: a scene of constant size is stepped without touching the allocator once it has warmed up, and all
 // three steppers, collision included, step a pile of 1,000 boxes on a thread whose stack is 128 KiB. (A
 // sanitizer's frames are several times larger and its minutes too: there 216 boxes on 1 MiB.)
+#if !defined(__wasm__)
 #include <pthread.h>
+#endif
 
 #include <atomic>
 #include <cstdlib>
@@ -55,19 +57,6 @@ struct Counting {
     }
 };
 
-// Boxes in layers, each shifted by half a box over the one below: one island.
-void build_block(Sim& sim, int side, int layers)
-{
-    sim.gravity(0, 0, -9.81);
-    sim.ground();
-    for (int k = 0; k < layers; ++k)
-        for (int i = 0; i < side; ++i)
-            for (int j = 0; j < side; ++j) {
-                const double shift = k % 2 ? 0.25 : 0;
-                sim.box({0.5 * i + shift, 0.5 * j + shift, 0.199 + 0.398 * k}, {0.49, 0.49, 0.4}, 1);
-            }
-}
-
 TEST(TrustMemory, a_settled_pile_is_stepped_without_any_allocation)
 {
     for (Stepper stepper : kSteppers) {
@@ -95,6 +84,20 @@ TEST(TrustMemory, a_running_machine_is_stepped_without_any_allocation)
         for (int i = 0; i < 100; ++i) sim.advance(0.01);
         EXPECT_EQ(calls.load(), 0) << name_of(stepper);
     }
+}
+
+#if !defined(__wasm__)  // it has no threads
+// Boxes in layers, each shifted by half a box over the one below: one island.
+void build_block(Sim& sim, int side, int layers)
+{
+    sim.gravity(0, 0, -9.81);
+    sim.ground();
+    for (int k = 0; k < layers; ++k)
+        for (int i = 0; i < side; ++i)
+            for (int j = 0; j < side; ++j) {
+                const double shift = k % 2 ? 0.25 : 0;
+                sim.box({0.5 * i + shift, 0.5 * j + shift, 0.199 + 0.398 * k}, {0.49, 0.49, 0.4}, 1);
+            }
 }
 
 struct SmallStack {
@@ -137,6 +140,7 @@ TEST(TrustMemory, a_thousand_boxes_are_stepped_on_a_stack_of_128_KiB)
         EXPECT_TRUE(finite_state(sim)) << name_of(stepper);
     }
 }
+#endif
 
 }  // namespace
 }  // namespace epode::physics

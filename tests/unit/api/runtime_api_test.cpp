@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#if !defined(__wasm__)
 #include <csignal>
+#endif
 #include <cstdio>
 #include <cstdlib>
 #include <functional>

@@ -6,7 +6,7 @@
 #include "tasks/tasks.h"
 
 #include <gtest/gtest.h>
-#if !defined(_WIN32)
+#if !defined(_WIN32) && !defined(__wasm__)
 #include <sys/wait.h>
 #include <unistd.h>
 #endif
@@ -119,8 +119,8 @@ TEST(Tasks, the_pool_stops_and_starts_again)
     }
 }
 
-// The thread sanitizer cannot follow a fork of a process with threads; Windows has none.
-#if !defined(__SANITIZE_THREAD__) && !defined(_WIN32)
+// The thread sanitizer cannot follow a fork of a process with threads; Windows and WebAssembly have none.
+#if !defined(__SANITIZE_THREAD__) && !defined(_WIN32) && !defined(__wasm__)
 TEST(Tasks, a_forked_child_has_a_pool_of_its_own)
 {
     Tasks(4).for_each(100, [](int, int) {});

@@ -5,7 +5,7 @@
 // dependencies, faults, waits with limits, mutexes, life and death, and what is refused.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
-#if !defined(_WIN32)
+#if !defined(_WIN32) && !defined(__wasm__)
 #include <sys/wait.h>
 #include <unistd.h>
 #endif
@@ -626,8 +626,8 @@ TEST(Tasks, a_call_that_finds_no_memory_is_run_at_once_or_counts_as_failed)
     }
 }
 
-// The thread sanitizer cannot follow a fork of a process with threads; Windows has none.
-#if !defined(__SANITIZE_THREAD__) && !defined(_WIN32)
+// The thread sanitizer cannot follow a fork of a process with threads; Windows and WebAssembly have none.
+#if !defined(__SANITIZE_THREAD__) && !defined(_WIN32) && !defined(__wasm__)
 int count_threads(void* threads, dcallindex_t, dCallReleaseeID)
 {
     thread_local bool counted = false;

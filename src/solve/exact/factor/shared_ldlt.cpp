@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <thread>
 
+#include "base/spin.h"
 #include "math/ldlt.h"
 
 namespace epode {
@@ -33,7 +33,7 @@ class Progress {
     {
         int now;
         for (int spins = 0; (now = mark_.load(std::memory_order_acquire)) <= mark; ++spins)
-            if (spins >= kSpins) std::this_thread::yield();
+            if (spins >= kSpins) yield_core();
         return now;
     }
 
