@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/hypotenuse.h"
+
 namespace epode {
 namespace {
 
@@ -195,7 +197,7 @@ FrozenFriction::Sliding FrozenFriction::sliding(const RowBlock& block) const
     const Real w[2] = {slip(block, k), r * slip(block, k + 1)};
     out.p[0] = system_.numbers[k].p, out.p[1] = system_.numbers[k + 1].p / r;
     for (int i = 0; i < 2; ++i) out.q[i] = out.p[i] - w[i] / out.d;
-    out.length = std::hypot(out.q[0], out.q[1]);
+    out.length = hypotenuse(out.q[0], out.q[1]);
     if (out.length > 0) out.speed = std::max(-(w[0] * out.q[0] + w[1] * out.q[1]) / out.length, Real(0));
     return out;
 }

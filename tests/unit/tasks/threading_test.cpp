@@ -66,7 +66,11 @@ struct Implementation {
     dThreadingThreadPoolID pool = nullptr;
 };
 
+#if defined(__wasm__)
+constexpr unsigned kKinds[] = {0};  // self-threaded: there are no pools
+#else
 constexpr unsigned kKinds[] = {0, 1, 2, 4};  // threads; 0: self-threaded
+#endif
 constexpr dThreadedWaitTime kAtOnce = {0, 0}, kMoment = {0, 20 * 1000 * 1000}, kLong = {20, 0};
 
 struct Log {
