@@ -4,17 +4,19 @@
 // Worlds that the page shows, without anything of a browser: tests/wasm/page_test.mjs runs them under Node. Contacts are
 // world-managed, so no function of JavaScript is called during a step. Balls to throw exist from the beginning, disabled
 // and unseen: the page draws a fixed number of solids.
-const kBalls = 20, kBallRadius = 0.25;
+const kBalls = 20, kBallRadius = 0.35;
 export const kStep = 1 / 60;
 
 // Builds a scene: `bodies` has for each body {body, shape, size, color}, shape one of those that view.js draws.
 class Builder {
     constructor(ode, world, space) {
-        Object.assign(this, {ode, world, space, bodies: [], mass: ode.malloc(ode.size_of('dMass'))});
+        Object.assign(this, {ode, world, space, bodies: []});
+        this.mass = ode.create('dMass');
+        this.rolling = ode.create('dMaterial', {rolling_friction: 0.01});  // a centimetre: grass
     }
 
     add(shape, size, density, [x, y, z], color) {
-        const {ode, mass} = this, body = ode.dBodyCreate(this.world);
+        const {ode} = this, mass = this.mass.pointer, body = ode.dBodyCreate(this.world);
         const [make, weigh] = {
             box: [ode.dCreateBox, ode.dMassSetBox],
             sphere: [ode.dCreateSphere, ode.dMassSetSphere],
@@ -25,9 +27,15 @@ class Builder {
         weigh(mass, density, ...size);
         ode.dBodySetMass(body, mass);
         ode.dGeomSetBody(geom, body);
+        if (shape !== 'box') ode.dGeomSetMaterial(geom, this.rolling.pointer);
         ode.dBodySetPosition(body, x, y, z);
         this.bodies.push({body, geom, shape, size, color});
         return body;
+    }
+
+    free() {
+        this.ode.free(this.mass.pointer);
+        this.ode.free(this.rolling.pointer);
     }
 
     // Two bodies turn about an axis along y at a point; body 0 is the world.
@@ -91,15 +99,16 @@ export class Simulation {
         this.thrown = 0;
         this.handles = ode.new_ints(this.bodies.map(({body}) => body));
         this.states = ode.malloc(7 * 8 * this.bodies.length);
-        ode.free(build.mass);
+        build.free();
     }
 
     make_balls(build) {
         const first = build.bodies.length;
         for (let i = 0; i < kBalls; ++i) {
-            const body = build.add('sphere', [kBallRadius], 3000, [0, 0, -10 - i], 6);
+            const body = build.add('sphere', [kBallRadius], 3000, [0, 0, -10 - i], 6), {geom} = build.bodies.at(-1);
             this.ode.dBodyDisable(body);
-            this.ode.dGeomDisable(build.bodies.at(-1).geom);
+            this.ode.dGeomDisable(geom);
+            this.ode.dGeomSetContinuous(geom, 1);  // it moves by more than a brick in a step
         }
         return {first, count: kBalls};
     }
