@@ -3,7 +3,8 @@
 #
 # What `cmake --install` puts under a prefix. Nothing installed holds the prefix itself: the tree may be moved.
 #   include/ode/*.h   lib/libode.so.8 and libode_single.so.8 with their links, or libode.a and libode_single.a
-#                     (for Windows bin/libode.dll, lib/libode.dll.a and those of libode_single)
+#                     (for Windows bin/libode.dll, lib/libode.dll.a and those of libode_single; for WebAssembly
+#                     libode.a, and share/epode/web: epode.wasm and what loads it)
 #   lib/pkgconfig/ode.pc, ode-single.pc
 #   lib/cmake/ode     bin/ode-config, bin/epode    share/epode/replay.html     share/doc/epode
 #   include/epode/robots.h   lib/libepode_robots.so, where pugixml is there
@@ -29,6 +30,9 @@ install(FILES LICENSE README.md CHANGES.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 set(EPODE_PC_LIBS "")
 set(EPODE_PC_PRIVATE "-lstdc++ -lm ${CMAKE_THREAD_LIBS_INIT}")
 string(STRIP ${EPODE_PC_PRIVATE} EPODE_PC_PRIVATE)
+if(EPODE_WASM)
+  set(EPODE_PC_PRIVATE "-lc++ -lc++abi")
+endif()
 if(EPODE_STATIC)
   set(EPODE_PC_LIBS " ${EPODE_PC_PRIVATE}")
 endif()

@@ -81,7 +81,8 @@ class TurnedScene : public testing::TestWithParam<std::tuple<Stepper, bool, bool
         random.quaternion(own);
         dQMultiply0(turned, turn.q, own);
         dBodySetQuaternion(body, turned);
-        velocity(body, turn(random.point(3)), turn(random.point(5)));
+        const V3 spin = random.point(5), speed = random.point(3);  // drawn in this order by every compiler
+        velocity(body, turn(speed), turn(spin));
         for (int i = 0; i < 60; ++i) EXPECT_TRUE(world_contacts() ? sim.advance(0.01) : sim.step(0.01));
         return turn.back(position(body));
     }
