@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Three scenes on one thread, with public functions alone, so that one text runs natively and as WebAssembly:
-// bench/web/run compares the two. Prints for each the mean time of a step in microseconds and a hash of the last
-// poses, which must be the same.
+// bench/web/run compares the two. Prints for each the mean time of a step in microseconds and a hash of the
+// last poses, which must be the same.
 #include <ode/ext.h>
 #include <ode/ode.h>
 
@@ -61,8 +61,8 @@ void build_pile(Scene& s)
     dWorldSetContactSpace(s.world, s.space);
     dCreatePlane(s.space, 0, 0, 1, 0);
     for (int i = 0; i < 1000; ++i) {
-        const dBodyID body =
-            s.add(0.62 * (i % 10) + 0.03125 * (i % 7), 0.62 * (i / 10 % 10), 0.4 + 0.6 * (i / 100), 0.5, 0.5, 0.5);
+        const dBodyID body = s.add(0.62 * (i % 10) + 0.03125 * (i % 7), 0.62 * (i / 10 % 10),
+                                   0.4 + 0.6 * (i / 100), 0.5, 0.5, 0.5);
         dGeomSetBody(dCreateBox(s.space, 0.5, 0.5, 0.5), body);
     }
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Those of POSIX threads' names that the library uses, for a system with one thread. No thread can be created,
-// which callers expect of any system. Mutexes still know who has them: one that checks errors refuses its owner
-// a second time. A wait without an end would be one for ever: it traps, so that the host reports it and does
-// not hang. Rejected: functions of our own for all systems, because POSIX's are what readers know.
+// Those of POSIX threads' names that the library uses, for a system with one thread. No thread can be
+// created, which callers expect of any system. Mutexes still know whether they are locked: one that checks
+// errors refuses its owner a second time. A wait that has no time limit would never end: it traps, so that the
+// host reports it and does not hang. Rejected: functions of our own for all systems, because POSIX's are what
+// readers know.
 #pragma once
 
 #include <time.h>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// sqrt(x^2 + y^2) with the same bits on every machine: hypot() of C libraries differs in the last place. Rounded
-// once, the root h of the rounded sum is wrong by up to an ulp; one Newton step removes nearly all of it, with
-// the residual h^2 - x^2 - y^2 written as products of small differences (C. F. Borges, An improved algorithm for
-// hypot(a, b), arXiv 1904.09481, the form without fused operations). glibc since 2.35 returns the same.
+// sqrt(x^2 + y^2) with the same bits on every machine: hypot() of C libraries differs in the last place. The
+// root h of the rounded sum is wrong by up to an ulp; one Newton step removes nearly all of it, with the
+// residual h^2 - x^2 - y^2 written as products of small differences (C. F. Borges, An improved algorithm for
+// hypot(a, b), arXiv 1904.09481, the form without fused operations). glibc 2.36 returns the same, but for
+// subnormal numbers.
 #pragma once
 
 #include <cmath>

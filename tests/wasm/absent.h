@@ -2,7 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What tests ask of a system and WebAssembly lacks, so that their files compile: every test file includes it
-// there. A test that uses one of these ends the program with an error; tests/wasm/skipped lists those that would.
+// there. A test that uses one of these ends the program with an error; tests/wasm/skipped lists those that
+// would.
 #pragma once
 
 #if defined(__cplusplus)

@@ -26,7 +26,7 @@ function hash(bytes) {
     return all.toString(16);
 }
 
-test('a pile on world-managed contacts has the bits of x86-64', () => {
+test('a pile without a near callback has the bits of x86-64', () => {
     const world = ode.dWorldCreate(), space = ode.dHashSpaceCreate(0);
     ode.dWorldUseDefaults(world, ode.dDefaultsGame);
     ode.dWorldSetGravity(world, 0, 0, -9.81);

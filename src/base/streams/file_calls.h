@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Calls of the file system that POSIX and Windows name or mean differently, or WebAssembly lacks. Each returns
-// what its POSIX original does; errno tells why it fails. On Windows a path is in the program's code page.
+// Calls of the file system that POSIX and Windows name or mean differently, or WebAssembly lacks. Each
+// returns what its POSIX original does; errno tells why it fails. On Windows a path is in the program's code
+// page.
 #pragma once
 
 #include <fcntl.h>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The pile that tests/wasm/module_test.mjs builds through JavaScript: there and here 200 steps end in this hash.
+// The pile that tests/wasm/module_test.mjs builds through JavaScript: there and here 200 steps end in this
+// hash.
 #include <gtest/gtest.h>
 #include <ode/ext.h>
 #include <ode/ode.h>

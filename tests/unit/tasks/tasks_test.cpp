@@ -119,7 +119,7 @@ TEST(Tasks, the_pool_stops_and_starts_again)
     }
 }
 
-// The thread sanitizer cannot follow a fork of a process with threads; Windows and WebAssembly have none.
+// The thread sanitizer cannot follow a fork of a process with threads; Windows and WebAssembly have no forks.
 #if !defined(__SANITIZE_THREAD__) && !defined(_WIN32) && !defined(__wasm__)
 TEST(Tasks, a_forked_child_has_a_pool_of_its_own)
 {

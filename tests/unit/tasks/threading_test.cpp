@@ -630,7 +630,7 @@ TEST(Tasks, a_call_that_finds_no_memory_is_run_at_once_or_counts_as_failed)
     }
 }
 
-// The thread sanitizer cannot follow a fork of a process with threads; Windows and WebAssembly have none.
+// The thread sanitizer cannot follow a fork of a process with threads; Windows and WebAssembly have no forks.
 #if !defined(__SANITIZE_THREAD__) && !defined(_WIN32) && !defined(__wasm__)
 int count_threads(void* threads, dcallindex_t, dCallReleaseeID)
 {
