@@ -8,7 +8,7 @@ import {kStep, scenes, Simulation} from './simulation.mjs';
 import {LivePoses, recording_of} from './view.js';
 
 const element = id => document.getElementById(id);
-const kMostSteps = 4;  // in a picture; a slower machine shows slow motion
+const kMaxSteps = 4;  // in a picture; a slower machine shows slow motion
 const kBallSpeed = 18;
 
 class Show {
@@ -49,16 +49,16 @@ class Show {
     }
 
     advance(seconds) {
-        this.owed = Math.min(this.owed + seconds, kMostSteps * kStep);
+        this.owed = Math.min(this.owed + seconds, kMaxSteps * kStep);
         for (; this.owed >= kStep; this.owed -= kStep) {
             const begin = performance.now();
             this.simulation.step();
             this.cost += 0.1 * (performance.now() - begin - this.cost);
             ++this.steps;
         }
-        const {bodies, ode, world} = this.simulation;
-        element('figures').textContent = `${bodies.filter(({body}) => ode.dBodyIsEnabled(body)).length} of ` +
-            `${this.simulation.balls.first} bodies awake, ${(this.steps * kStep).toFixed(1)} s, ${this.cost.toFixed(2)} ms a step`;
+        const {bodies, ode} = this.simulation, seen = bodies.filter((_, i) => this.simulation.is_seen(i));
+        element('figures').textContent = `${seen.filter(({body}) => ode.dBodyIsEnabled(body)).length} of ` +
+            `${seen.length} bodies awake, ${(this.steps * kStep).toFixed(1)} s, ${this.cost.toFixed(2)} ms a step`;
     }
 
     // From the eye towards a point of the picture, 0 ... 1 from the upper left.
