@@ -4,19 +4,78 @@
 // See mjcf_defaults.h.
 #include "robots/read/mjcf_defaults.h"
 
+#include <cstdio>
+
 namespace epode::robots {
 
 namespace {
 
 constexpr size_t kMaxClasses = 10'000;
 
-// Under which name an element's defaults are kept.
-std::string family_of(const std::string& element)
+bool is_actuator(const std::string& element)
 {
     static const std::set<std::string> actuators{"motor",  "position", "velocity", "general",  "intvelocity",
                                                  "damper", "cylinder", "muscle",   "adhesion", "plugin"};
+    return actuators.count(element) > 0;
+}
+
+// Under which name an element's defaults are kept, and the gains of a kind of actuator.
+std::string family_of(const std::string& element)
+{
     if (element == "fixed" || element == "spatial") return "tendon";
-    return actuators.count(element) ? "actuator" : element;
+    return is_actuator(element) ? "actuator" : element;
+}
+std::string gains_of(const std::string& kind) { return "gains of " + kind; }
+
+bool is_gain(const std::string& attribute)
+{
+    static const std::set<std::string> gains{"kp",       "kv",      "dampratio", "timeconst", "area",
+                                             "diameter", "bias",    "gainprm",   "biasprm",   "gaintype",
+                                             "biastype", "dyntype", "dynprm"};
+    return gains.count(attribute) > 0;
+}
+
+std::string text_of(double value)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.17g", value);
+    return text;
+}
+
+double number_at(const Values& values, const char* name, size_t i, double otherwise)
+{
+    std::vector<double> numbers;
+    const auto it = values.find(name);
+    return it != values.end() && parse_numbers(it->second, numbers) && i < numbers.size() ? numbers[i]
+                                                                                          : otherwise;
+}
+
+// What a <general> element would say.
+Values in_general(const std::string& kind, const Values& gains)
+{
+    Values out;
+    const double kp = number_at(gains, "kp", 0, 1), kv = number_at(gains, "kv", 0, kind == "velocity");
+    if (kind == "velocity")
+        out = {{"gainprm", text_of(kv)}, {"biastype", "affine"}, {"biasprm", "0 0 " + text_of(-kv)}};
+    else if (kind == "position" || kind == "intvelocity")
+        out = {{"gainprm", text_of(kp)},
+               {"biastype", "affine"},
+               {"biasprm", "0 " + text_of(-kp) + " " + text_of(-kv)}};
+    if (kind == "intvelocity") out["dyntype"] = "integrator";
+    if (const auto time = gains.find("timeconst"); kind == "position" && time != gains.end())
+        out["dyntype"] = "filterexact", out["dynprm"] = time->second;
+    return out;
+}
+
+// And what another kind takes from a <general> default.
+Values from_general(const std::string& kind, const Values& general)
+{
+    if (kind == "velocity") return {{"kv", text_of(number_at(general, "gainprm", 0, 1))}};
+    Values out{{"kp", text_of(number_at(general, "gainprm", 0, 1))}};
+    const double damping = number_at(general, "biasprm", 2, 0);
+    if (damping < 0) out["kv"] = text_of(-damping);
+    if (damping > 0) out["dampratio"] = text_of(damping);
+    return out;
 }
 
 }  // namespace
@@ -24,14 +83,34 @@ std::string family_of(const std::string& element)
 std::string Attributes::text(const char* name) const
 {
     if (element_.has(name)) return element_.text(name);
-    if (!defaults_) return {};
-    const auto it = defaults_->find(name);
-    return it == defaults_->end() ? std::string() : it->second;
+    for (const Values* values : {gains_, defaults_})
+        if (values)
+            if (const auto it = values->find(name); it != values->end()) return it->second;
+    return {};
 }
 
 void Defaults::read(const Element& element, Reading& reading)
 {
     read_class(element, "main", "main", reading);
+}
+
+// `kind`: that of the gains which the class has so far, or empty.
+void Defaults::read_actuator(const Element& element, const Class& parent, std::string& kind, Class& its)
+{
+    const std::string now = element.name(), general = gains_of("general");
+    if (!kind.empty() && kind != now) {
+        const auto old = parent.find(gains_of(kind));
+        its[gains_of(kind)] = old == parent.end() ? Values{} : old->second;
+    }
+    kind = now;
+    for (const pugi::xml_attribute& attribute : element.node.attributes())
+        its[is_gain(attribute.name()) ? gains_of(now) : "actuator"][attribute.name()] = attribute.value();
+    if (now != "general") {
+        its[general] = in_general(now, its[gains_of(now)]);
+        return;
+    }
+    for (const char* other : {"position", "intvelocity", "velocity"})
+        its[gains_of(other)] = from_general(other, its[general]);
 }
 
 void Defaults::read_class(const Element& element, const std::string& name, const std::string& parent,
@@ -40,8 +119,14 @@ void Defaults::read_class(const Element& element, const std::string& name, const
     if (classes_.size() > kMaxClasses) return;
     if (name != parent) classes_[name] = classes_[parent];
     Class& its = classes_[name];
+    const Class before = its;
+    std::string kind;
     for (const Element& child : element.children()) {
         if (child.name() == "default") continue;
+        if (is_actuator(child.name())) {
+            read_actuator(child, before, kind, its);
+            continue;
+        }
         Values& values = its[family_of(child.name())];
         for (const pugi::xml_attribute& attribute : child.node.attributes())
             values[attribute.name()] = attribute.value();
@@ -64,8 +149,12 @@ Attributes Defaults::of(const Element& element, const std::string& inherited, Re
         if (name != "main") reading.error(element, "there is no default class '" + name + "'");
         return {element, nullptr};
     }
-    const auto values = found->second.find(family_of(element.name()));
-    return {element, values == found->second.end() ? nullptr : &values->second};
+    const auto values = [&](const std::string& of) {
+        const auto it = found->second.find(of);
+        return it == found->second.end() ? nullptr : &it->second;
+    };
+    const std::string family = family_of(element.name());
+    return {element, values(family), family == "actuator" ? values(gains_of(element.name())) : nullptr};
 }
 
 }  // namespace epode::robots

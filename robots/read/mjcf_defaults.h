@@ -2,7 +2,11 @@
 // Copyright (c) 2026 The Epode authors
 //
 // MJCF's classes of defaults. A class has all that its parent has, with its own in place; an element asks its own
-// attributes first, then those of its class. Actuators share one set, whatever their element is called.
+// attributes first, then those of its class.
+//
+// Actuators share one set, whatever their element is called, but for their gains: those of a class are of one kind, the last
+// that it names, and another kind has its parent's. A <general> element takes gains of any kind, in its own terms, and those
+// of a <general> default serve all kinds but motors (as MuJoCo 4.0 compiles them).
 #pragma once
 
 #include "robots/read/reading.h"
@@ -14,14 +18,17 @@ using Values = std::map<std::string, std::string>;
 // An element's attributes with those of its class behind them.
 class Attributes {
   public:
-    Attributes(const Element& element, const Values* defaults) : element_(element), defaults_(defaults) {}
+    // `gains`: of an actuator's kind.
+    Attributes(const Element& element, const Values* defaults, const Values* gains = nullptr)
+        : element_(element), defaults_(defaults), gains_(gains)
+    {}
     std::string text(const char* name) const;
     bool has(const char* name) const { return !text(name).empty(); }
     const Element& element() const { return element_; }
 
   private:
     Element element_;
-    const Values* defaults_;
+    const Values *defaults_, *gains_;
 };
 
 class Defaults {
@@ -33,6 +40,7 @@ class Defaults {
 
   private:
     using Class = std::map<std::string, Values>;  // by element
+    static void read_actuator(const Element& element, const Class& parent, std::string& kind, Class& its);
     void read_class(const Element& element, const std::string& name, const std::string& parent,
                     Reading& reading);
     std::map<std::string, Class> classes_{{"main", {}}};
