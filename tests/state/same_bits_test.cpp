@@ -33,14 +33,14 @@ constexpr Golden kGolden[2][8] = {{{0xf4921cda4a2a44d4, 0x05167d64594ef010},
                                    {0x66309071f8ab889a, 0xd50c7ba17760791a},
                                    {0x5707b3c78ef9320d, 0x35a23944ab40cca3},
                                    {0x011d411dc67929d1, 0x6e76d58047887390}},
-                                  {{0x65eb63c107c518ad, 0x2cc754064ede76b1},
-                                   {0x24068d7df1f37e1e, 0x103166855b401a50},
-                                   {0xed5b53b0b354decb, 0x25bccd4c435d6c13},
-                                   {0xfaebb2b9c22d17f8, 0x6b1d147029e3e83a},
-                                   {0x9d04ac7775c4870e, 0x03b43bec3a3d2901},
-                                   {0x00f26b42465d364d, 0x37b47ef02ea88e60},
-                                   {0xff650b7095d1f8b5, 0x851c836148000498},
-                                   {0xb7796e46ea23771a, 0x66c916ddafa8413e}}};
+                                  {{0x4e8ed3102cef2e30, 0x4c87ac84ad4121cc},
+                                   {0x5f814cb2b16f8f33, 0x389e3f015e40c5f1},
+                                   {0xae581468c4727d24, 0xa97345f68bd2dccb},
+                                   {0xc83e468cddf63e16, 0x6676f2ce518bcb15},
+                                   {0x915b42ff09b919a3, 0x932f76fcebde3128},
+                                   {0xf3fcfdb048636108, 0xdc524c6d3e5adf01},
+                                   {0x506564f2b886b8db, 0x365dbd7503023c0f},
+                                   {0xeaa2f156cb4f7db6, 0x6ca947a299ad00c7}}};
 
 class SameBits : public testing::TestWithParam<int> {};
 
