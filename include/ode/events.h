@@ -20,7 +20,8 @@ extern "C" {
     (dWorldSetContactSpace). Bodies that sleep have no events. The list is in the order of dEventKind, then of
     the creation of the first and the second geom or of the joint; it is the same on any number of threads.
     After dWorldSetState and dWorldRollBack it is empty, and the next step reports what it would have reported
-    then.
+    then, without the ends of what touched a geom that had been destroyed since the step before: a state does
+    not know that geom.
 
     Arguments:
     - world: the world.
