@@ -30,8 +30,10 @@
 //
 // With s = 1 energy grows without bound once a load of a hundred links shakes the chain. Therefore s is such
 // that no more comes back than these rows have taken in this step, and 0 where SHAKE has no business: joints
-// that the step opened by more than kLongTurn of their levers, raised masses (tension), and rotors of drives,
-// whose inertia is not in M. Rejected: mu along the new rows, which the next solve takes away again.
+// that the step opened by more than kLongTurn of their levers, and raised masses (tension). Rejected: mu along
+// the new rows, which the next solve takes away again.
+//
+// Rotors of drives are part of M: each is a row that holds nothing, J dx + p/I = 0.
 #include "step/island/projection.h"
 
 #include <algorithm>
@@ -50,15 +52,17 @@ constexpr Real kSpringShare = Real(1e-3);            // of the inverse_mass, abo
 constexpr double kSoftness = kSingle ? 1e-6 : 1e-9;  // of the inverse_mass, for redundant rows
 constexpr Real kLargestTurn = 1;                     // rad, of one Newton step
 constexpr Real kLongTurn = Real(0.03);               // opening relative to the lever, about (w h)^2/2
+constexpr int kRotorSweeps = 20;
 constexpr std::size_t kFewRows = 64;
 constexpr int kMaxHalvings = 5;
 
 // What a row of the projection needs besides its Row in the system.
 struct Hold {
-    int source;    // row of the step
-    Real error;    // J dx = error
-    Real per_arm;  // 1/l
-    bool follows;  // the motion, as the pose does not determine its error
+    int source;        // row of the step
+    Real error;        // J dx = error
+    Real per_arm;      // 1/l
+    bool follows;      // the motion, as the pose does not determine its error
+    Real inertia = 0;  // of a rotor, which holds nothing: J dx + p/inertia = 0 is its share of the metric
 };
 
 bool is_spring(const Row& row, const RowBlock& block, const RowSystem& system)
@@ -75,6 +79,8 @@ bool is_equality(const Row& row)
 
 // Blocks of joints between two bodies at most.
 bool has_equalities(const RowBlock& block) { return !block.contact && block.term_count == 0; }
+
+bool has_rotor(const Row& row) { return row.drive && row.drive->inertia > 0; }
 
 struct PoseBefore {
     Vec3 p;
@@ -107,7 +113,8 @@ class Projection {
         system_.bodies = arena_.take<SolverBody>(bodies);
         poses_ = arena_.take<PoseBefore>(bodies);
         impulses_ = arena_.take_zeroed<Real>(rows);
-        change_ = arena_.take<Velocity>(bodies);
+        change_ = arena_.take<SolverBody>(bodies);
+        turning_ = arena_.take_zeroed<Real>(rows);
         system_.terms = arena_.take<WideTerm>(int(work_.system.terms.size()));
         system_.h = 1;
         if (arena_.failed()) return false;
@@ -139,12 +146,12 @@ class Projection {
         const Real s = share_within(lost);
         if (!(s > 0)) return false;
         for (std::size_t i = 0; i < change_.size(); ++i) {
-            store(body(i).lvel, body(i).velocity() + s * change_[i].v);
-            store(body(i).avel, body(i).angular_velocity() + s * change_[i].w);
+            SolverBody& end = work_.system.bodies[i];
+            end.v += s * change_[i].v, end.w += s * change_[i].w;
+            store(body(i).lvel, end.v), store(body(i).avel, end.w);
         }
-        for_equalities([&](const RowBlock&, std::size_t i) {
-            work_.system.numbers[std::size_t(holds_[i].source)].p += s * impulses_[i] / work_.system.h;
-        });
+        for (std::size_t i = 0; i < holds_.size(); ++i)
+            work_.system.numbers[std::size_t(holds_[i].source)].p += s * turning_[i];
         return true;
     }
 
@@ -165,6 +172,11 @@ class Projection {
             const Real per_arm = 1 / longest_arm(block);
             for (int i = 0; i < block.count; ++i) {
                 const Row& row = work_.system.rows[std::size_t(block.first + i)];
+                if (has_rotor(row) && has_equalities(block)) {
+                    holds_[std::size_t(rows)] = {block.first + i, 0, 0, false, row.drive->inertia};
+                    system_.rows[std::size_t(rows++)] = i < out.count() ? now[i] : row;
+                    continue;
+                }
                 if (!holds_position(row, block)) continue;
                 const bool follows = i >= out.count() || now[i].error == row.error;
                 const bool turns = row.lin1 == Vec3{} && row.lin2 == Vec3{};
@@ -288,46 +300,54 @@ class Projection {
         for (std::size_t i = 0; i < holds_.size(); ++i) impulses_[i] += share * system_.numbers[i].p;
     }
 
-    // f(block, row of the projection)
+    // f(block, row of the projection, row of the step) for those that are such.
     template <typename F>
-    void for_equalities(F&& f) const
+    void for_rows(bool (*wanted)(const Row&), F&& f) const
     {
         for (const RowBlock& block : system_.blocks)
             for (int i = block.first; has_equalities(block) && i < block.first + block.count; ++i)
-                if (is_equality(step_row(holds_[std::size_t(i)]))) f(block, std::size_t(i));
+                if (const Row& row = step_row(holds_[std::size_t(i)]); wanted(row))
+                    f(block, std::size_t(i), row);
     }
 
-    // M^-1 J0^T mu/h
+    // dv = M^-1 J0^T mu/h, where each rotor resists by I J dv: by Gauss-Seidel.
     void set_change()
     {
-        std::fill(change_.begin(), change_.end(), Velocity{});
-        for_equalities([&](const RowBlock& block, std::size_t i) {
-            const Row& row = step_row(holds_[i]);
-            const Real p = impulses_[i] / work_.system.h;
-            Velocity& a = change_[std::size_t(block.body1)];
-            a.v += p * row.lin1, a.w += p * row.ang1;
-            if (block.body2 < 0) return;
-            Velocity& b = change_[std::size_t(block.body2)];
-            b.v += p * row.lin2, b.w += p * row.ang2;
+        std::copy(work_.system.bodies.begin(), work_.system.bodies.end(), change_.begin());
+        for (SolverBody& body : change_) body.v = body.w = {};
+        for_rows(&is_equality, [&](const RowBlock& block, std::size_t i, const Row& row) {
+            turn(block, i, row, impulses_[i] / work_.system.h);
         });
-        for (std::size_t i = 0; i < change_.size(); ++i) {
-            const SolverBody& b = work_.system.bodies[i];
-            change_[i].v = b.inv_mass * change_[i].v, change_[i].w = b.inv_inertia * change_[i].w;
-        }
+        for (int sweep = 0; sweep < kRotorSweeps; ++sweep)
+            for_rows(&has_rotor, [&](const RowBlock& block, std::size_t i, const Row& row) {
+                const Real I = holds_[i].inertia, u = row_velocity(system_, block, row, change_);
+                const Real freedom = inverse_effective_mass(system_, block, row, change_);
+                turn(block, i, row, -(I * u + turning_[i]) / (1 + I * freedom));
+            });
+    }
+
+    void turn(const RowBlock& block, std::size_t i, const Row& row, Real p)
+    {
+        turning_[i] += p;
+        apply_impulse(system_, block, row, p, change_);
     }
 
     // The largest share of the change, up to 1, that raises the energy by no more than that:
-    //   s a + s^2 b/2 <= energy,   a = v.M dv,  b = dv.M dv
+    //   s a + s^2 b/2 <= energy,   a = v.M dv,  b = dv.M dv,  with rotors in M
     Real share_within(Real energy) const
     {
         Real a = 0, b = 0;
         for (std::size_t i = 0; i < change_.size(); ++i) {
-            const Velocity& dv = change_[i];
-            const SolverBody& m = work_.system.bodies[i];
-            const Vec3 P = m.mass * dv.v, L = m.inertia * dv.w;
-            a += dot(P, body(i).velocity()) + dot(L, body(i).angular_velocity());
+            const SolverBody &dv = change_[i], &end = work_.system.bodies[i];
+            const Vec3 P = dv.mass * dv.v, L = dv.inertia * dv.w;
+            a += dot(P, end.v) + dot(L, end.w);
             b += dot(P, dv.v) + dot(L, dv.w);
         }
+        for_rows(&has_rotor, [&](const RowBlock& block, std::size_t i, const Row& row) {
+            const Real u = row_velocity(system_, block, row, change_);
+            a += holds_[i].inertia * u * row_velocity(system_, block, row, work_.system.bodies);
+            b += holds_[i].inertia * u * u;
+        });
         if (!usable(a) || !usable(b)) return 0;
         if (a + b / 2 <= energy) return 1;
         return std::min(Real(1), 2 * energy / (a + std::sqrt(a * a + 2 * b * energy)));
@@ -356,8 +376,11 @@ class Projection {
                 const Row& bounds = step_row(holds_[std::size_t(i)]);
                 RowNumbers& n = system_.numbers[std::size_t(i)];
                 n = {};
-                n.c = holds_[std::size_t(i)].error;
-                n.C = Real(kSoftness) * inverse_effective_mass(system_, block, row, system_.bodies);
+                const Hold& hold = holds_[std::size_t(i)];
+                n.c = hold.error;
+                n.C = hold.inertia > 0
+                          ? 1 / hold.inertia
+                          : Real(kSoftness) * inverse_effective_mass(system_, block, row, system_.bodies);
                 if (bounds.lo == 0) n.lo = 0;
                 if (bounds.hi == 0) n.hi = 0;
             }
@@ -405,7 +428,7 @@ class Projection {
                 hold.error =
                     before_[std::size_t(i)].error - share * row_velocity(system_, block, row, system_.bodies);
             } else if (const int at = hold.source - base; at < out.count()) {
-                hold.error = now[at].error;
+                if (!(hold.inertia > 0)) hold.error = now[at].error;
                 static_cast<Jacobian&>(row) = now[at];
             }
         }
@@ -420,9 +443,10 @@ class Projection {
     std::span<Hold> holds_, before_;  // parallel to its rows
     std::span<int> from_;             // block of the step that a block is of
     std::span<PoseBefore> poses_;
-    std::span<Real> impulses_;    // of the rows, of all steps
-    std::span<Velocity> change_;  // of the bodies, with s = 1
-    Real opened_ = 0;             // worst_ at the beginning
+    std::span<Real> impulses_;      // of the rows, of all steps
+    std::span<SolverBody> change_;  // of the bodies' velocities, with s = 1
+    std::span<Real> turning_;       // impulses of the rows that make it
+    Real opened_ = 0;               // worst_ at the beginning
     bool one_sided_ = false;
     Real worst_ = 0, merit_ = 0;  // largest e/l, sum of its squares
 };
@@ -457,7 +481,6 @@ Real lost_to_joints(const IslandWork& work, std::span<const Velocity> starts)
     for (const RowBlock& block : work.system.blocks)
         for (int i = block.first; has_equalities(block) && i < block.first + block.count; ++i) {
             const Row& row = work.system.rows[std::size_t(i)];
-            if (row.drive && row.drive->inertia > 0) return 0;
             if (!is_equality(row)) continue;
             const auto rate = [&](int body, Vec3 lin, Vec3 ang) {
                 if (body < 0) return Real(0);

@@ -23,7 +23,7 @@ struct ProjectionReport {
 void leave_depth_to_projection(RowSystem& system);
 
 // What the joints' equalities have taken of the energy of motion, from the velocities at the start of the step to
-// those of the solution; 0 with rotors.
+// those of the solution.
 Real lost_to_joints(const IslandWork& work, std::span<const Velocity> starts);
 
 // The island's poses have been advanced by h with the velocities that its bodies have, its joints remember
