@@ -53,6 +53,7 @@ constexpr double kSoftness = kSingle ? 1e-6 : 1e-9;  // of the inverse_mass, for
 constexpr Real kLargestTurn = 1;                     // rad, of one Newton step
 constexpr Real kLongTurn = Real(0.03);               // opening relative to the lever, about (w h)^2/2
 constexpr int kRotorSweeps = 20;
+constexpr Real kRotorChange = Real(1e-4);  // of the largest impulse: enough sweeps
 constexpr std::size_t kFewRows = 64;
 constexpr int kMaxHalvings = 5;
 
@@ -63,6 +64,7 @@ struct Hold {
     Real per_arm;      // 1/l
     bool follows;      // the motion, as the pose does not determine its error
     Real inertia = 0;  // of a rotor, which holds nothing: J dx + p/inertia = 0 is its share of the metric
+    Real freedom = 0;  // inverse effective mass at a rotor
 };
 
 bool is_spring(const Row& row, const RowBlock& block, const RowSystem& system)
@@ -318,12 +320,19 @@ class Projection {
         for_rows(&is_equality, [&](const RowBlock& block, std::size_t i, const Row& row) {
             turn(block, i, row, impulses_[i] / work_.system.h);
         });
-        for (int sweep = 0; sweep < kRotorSweeps; ++sweep)
+        Real largest = 0, change = kInf;
+        for_rows(&has_rotor, [&](const RowBlock& block, std::size_t i, const Row& row) {
+            holds_[i].freedom = inverse_effective_mass(system_, block, row, change_);
+        });
+        for (int sweep = 0; sweep < kRotorSweeps && change > kRotorChange * largest; ++sweep) {
+            change = 0;
             for_rows(&has_rotor, [&](const RowBlock& block, std::size_t i, const Row& row) {
                 const Real I = holds_[i].inertia, u = row_velocity(system_, block, row, change_);
-                const Real freedom = inverse_effective_mass(system_, block, row, change_);
-                turn(block, i, row, -(I * u + turning_[i]) / (1 + I * freedom));
+                const Real p = -(I * u + turning_[i]) / (1 + I * holds_[i].freedom);
+                turn(block, i, row, p);
+                change = std::max(change, std::fabs(p)), largest = std::max(largest, std::fabs(turning_[i]));
             });
+        }
     }
 
     void turn(const RowBlock& block, std::size_t i, const Row& row, Real p)
