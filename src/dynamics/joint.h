@@ -33,8 +33,9 @@ struct JointNode {
     JointNode* prev = nullptr;  // of the first of a list: anything
 };
 
-// One of a joint's axes: J v is the derivative of `value`, both in the sense in which a client reads them.
 enum class AxisCarrier : char { kNone, kBody1, kBody2, kBetween };
+
+// One of a joint's axes: J v is the derivative of `value`, both in the sense in which a client reads them.
 struct JointAxis {
     Jacobian J;
     Real value = 0;      // m or rad
@@ -42,8 +43,8 @@ struct JointAxis {
     // A position along a direction of body 1, J.lin1, from a point of body 2 to one of body 1.
     bool slides = false;
     Vec3 point1{}, point2{};
-    // One of several angles: what carries the axis that it turns about, which the J of the others leave out. Without
-    // an axis it is J itself that is carried.
+    // One of several angles: what carries the axis that it turns about, which the J of the others leave out.
+    // Without an axis it is J itself that is carried.
     AxisCarrier carrier = AxisCarrier::kNone;
     Vec3 axis{};
 };

@@ -8,9 +8,9 @@
 //   rotor     lambda = I ((w - w')/h - D)
 //   friction  w' = 0,   |lambda| <= F
 //
-// each implicit in the rate w' after the step or substep (RowDrive), alongside the row of stop and motor. A rotor
-// resists the second derivative of q, J dv/dt + D. The drift D = dJ/dt v is that of bodies that move uniformly:
-// of a slide that turns its centrifugal acceleration, of several angles their Coriolis terms.
+// each implicit in the rate w' after the step or substep (RowDrive), alongside the row of stop and motor.
+// A rotor resists the second derivative of q, J dv/dt + D. The drift D = dJ/dt v is that of bodies that move
+// uniformly: of a slide that turns its centrifugal acceleration, of several angles their Coriolis terms.
 // Without a limit, servo and rotor are one row, the sum of both. A servo without k and d is a constant force:
 // with a rotor it is part of the rotor's row; without one it is a row with equal bounds.
 #include "joints/drive_rows.h"
@@ -97,8 +97,8 @@ class Drift {
                dot(cross(m1_.w, turned), at.point1 - at.point2);
     }
 
-    // Angles with rates r_i about axes a_i, of which J has the dual basis n_i: w1 - w2 = sum r_i a_i. As n_i.a_j does
-    // not change, D_i = -n_i.s with the swing s = sum r_j da_j/dt.
+    // Angles with rates r_i about axes a_i, of which J has the dual basis n_i: w1 - w2 = sum r_i a_i. As
+    // n_i.a_j does not change, D_i = -n_i.s with the swing s = sum r_j da_j/dt.
     Vec3 swing() const
     {
         Vec3 sum, before;  // what turns between body 1 and the next axis

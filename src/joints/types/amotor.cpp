@@ -153,13 +153,9 @@ JointAxis AMotor::axis_at(int i) const
     if (mode != dAMotorEuler) {
         const Vec3 axis = given_axis(i);
         const Body* carries = frame(i);
-        return {angular_jacobian(*this, reverse ? -axis : axis),
-                angle[i],
-                false,
-                false,
-                {},
-                {},
-                !carries ? AxisCarrier::kNone : carrier_of(carries == body1() ? 0 : 1)};
+        JointAxis at{angular_jacobian(*this, reverse ? -axis : axis), angle[i]};
+        if (carries) at.carrier = carrier_of(carries == body1() ? 0 : 1);
+        return at;
     }
     const Euler& now = euler();
     const Vec3(&a)[3] = now.a;

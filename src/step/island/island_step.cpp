@@ -177,8 +177,7 @@ class IslandStep {
     void project(const Tasks& tasks)
     {
         if (ledger_.wanted()) ledger_.begin_correction();
-        const Real lost = starts_.empty() ? 0 : lost_to_joints(work_, starts_);
-        projected_ = project_poses(world_, work_, tasks, context_.symbolic_cache, arena_, lost);
+        projected_ = project_poses(world_, work_, tasks, context_.symbolic_cache, arena_, starts_);
         if (ledger_.wanted()) ledger_.end_correction();
         if (projected_.turned) write_joints_again(work_);
     }

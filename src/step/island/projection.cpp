@@ -84,6 +84,26 @@ bool has_equalities(const RowBlock& block) { return !block.contact && block.term
 
 bool has_rotor(const Row& row) { return row.drive && row.drive->inertia > 0; }
 
+// What the joints' equalities have taken of the energy of motion in the step.
+Real lost_to_joints(const IslandWork& work, std::span<const Velocity> starts)
+{
+    Real taken = 0;
+    for (const RowBlock& block : work.system.blocks)
+        for (int i = block.first; has_equalities(block) && i < block.first + block.count; ++i) {
+            const Row& row = work.system.rows[std::size_t(i)];
+            if (!is_equality(row)) continue;
+            const auto rate = [&](int body, Vec3 lin, Vec3 ang) {
+                if (body < 0) return Real(0);
+                const Velocity& start = starts[std::size_t(body)];
+                const SolverBody& end = work.system.bodies[std::size_t(body)];
+                return dot(lin, start.v + end.v) + dot(ang, start.w + end.w);
+            };
+            const Real u = rate(block.body1, row.lin1, row.ang1) + rate(block.body2, row.lin2, row.ang2);
+            taken -= work.system.numbers[std::size_t(i)].p * u / 2;
+        }
+    return taken;
+}
+
 struct PoseBefore {
     Vec3 p;
     Quat q;
@@ -139,11 +159,12 @@ class Projection {
         return report;
     }
 
-    // Velocities after the projection, `lost`: what the step has taken from them. True: they have changed, and
-    // impulses of the step with them.
-    bool turn_velocities(Real lost)
+    // True: velocities have changed, and impulses of the step with them.
+    bool turn_velocities(std::span<const Velocity> starts)
     {
-        if (!(lost > 0) || !(opened_ <= kLongTurn)) return false;
+        if (!(opened_ <= kLongTurn)) return false;
+        const Real lost = lost_to_joints(work_, starts);
+        if (!(lost > 0)) return false;
         set_change();
         const Real s = share_within(lost);
         if (!(s > 0)) return false;
@@ -474,33 +495,14 @@ void leave_depth_to_projection(RowSystem& system)
 }
 
 ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks,
-                               SymbolicCache& symbolic_cache, Arena& arena, Real lost)
+                               SymbolicCache& symbolic_cache, Arena& arena, std::span<const Velocity> starts)
 {
     Arena::Scope scope(arena);
     Projection projection(world, work, symbolic_cache, arena);
     if (!projection.prepare()) return {};
     ProjectionReport report = projection.run(tasks);
-    report.turned = report.iterations > 0 && projection.turn_velocities(lost);
+    report.turned = report.iterations > 0 && !starts.empty() && projection.turn_velocities(starts);
     return report;
-}
-
-Real lost_to_joints(const IslandWork& work, std::span<const Velocity> starts)
-{
-    Real taken = 0;
-    for (const RowBlock& block : work.system.blocks)
-        for (int i = block.first; has_equalities(block) && i < block.first + block.count; ++i) {
-            const Row& row = work.system.rows[std::size_t(i)];
-            if (!is_equality(row)) continue;
-            const auto rate = [&](int body, Vec3 lin, Vec3 ang) {
-                if (body < 0) return Real(0);
-                const Velocity& start = starts[std::size_t(body)];
-                const SolverBody& end = work.system.bodies[std::size_t(body)];
-                return dot(lin, start.v + end.v) + dot(ang, start.w + end.w);
-            };
-            const Real u = rate(block.body1, row.lin1, row.ang1) + rate(block.body2, row.lin2, row.ang2);
-            taken -= work.system.numbers[std::size_t(i)].p * u / 2;
-        }
-    return taken;
 }
 
 }  // namespace epode

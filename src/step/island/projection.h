@@ -22,13 +22,11 @@ struct ProjectionReport {
 // With a projection to follow, velocities need not push bodies out of contacts and back from stops.
 void leave_depth_to_projection(RowSystem& system);
 
-// What the joints' equalities have taken of the energy of motion, from the velocities at the start of the step to
-// those of the solution.
-Real lost_to_joints(const IslandWork& work, std::span<const Velocity> starts);
-
 // The island's poses have been advanced by h with the velocities that its bodies have, its joints remember
-// the impulses of this step. `lost`: energy that velocities may gain. Out of memory: all stays.
+// the impulses of this step. `starts`: velocities at the step's beginning; without them velocities stay. Out
+// of memory: all stays.
 ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks,
-                               SymbolicCache& symbolic_cache, Arena& arena, Real lost = 0);
+                               SymbolicCache& symbolic_cache, Arena& arena,
+                               std::span<const Velocity> starts = {});
 
 }  // namespace epode
