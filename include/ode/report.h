@@ -47,6 +47,9 @@ typedef struct dWorldStepReport {
     double projection_error;     /**< worst error that they left, in the unit of the tolerance */
     int stopped_bodies;          /**< bodies that continuous collision (dGeomSetContinuous) has stopped */
     double friction_error;       /**< what friction is off Coulomb's, relative; dWorldStep with a cone */
+    int raised_bodies; /**< light links whose inertia the step has raised, since it is too long for their loads */
+    double
+        raised_residual; /**< natural residual with the inertias as they are; `residual` if none is raised */
 } dWorldStepReport;
 
 /** How an island was solved. */
@@ -83,6 +86,8 @@ typedef struct dIslandStepReport {
     double projection_error;    /**< see dWorldStepReport */
     int stopped_bodies;         /**< see dWorldStepReport */
     double friction_error;      /**< see dWorldStepReport */
+    int raised_bodies;          /**< see dWorldStepReport */
+    double raised_residual;     /**< see dWorldStepReport */
 } dIslandStepReport;
 
 /** - dWorldSetStepReportMode: Switch the report of steps on (mode 1) or off (0, the default). A report

@@ -159,7 +159,8 @@ bool EnergyLedger::begin(Arena& arena)
     if (arena.failed()) return false;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         const Body& body = *bodies_[i];
-        before_[i] = {body.position(), load(body.facc), load(body.tacc)};
+        before_[i] = {body.position(), body.velocity(), body.angular_velocity(), load(body.facc),
+                      load(body.tacc)};
     }
     load_motion();
     for (std::size_t i = 0; i < out_.size(); ++i) {
@@ -181,12 +182,11 @@ void EnergyLedger::load_motion()
     }
 }
 
-void EnergyLedger::add_solution(const IslandWork& work, int part, Real h, bool relaxed)
+void EnergyLedger::add_solution(const IslandWork& work, int part, bool relaxed)
 {
     dEnergyLedger& to = out_[std::size_t(part)];
     const RowSystem& system = work.system;
     const SystemPart from = system.begin_of(part), end = system.end_of(part);
-    add_forces(work, part, h, to);
     for (int k = from.blocks; k < end.blocks; ++k) add_rows(work, system.blocks[std::size_t(k)], relaxed, to);
     for (int k = from.joint_manifolds; k < end.joint_manifolds; ++k)
         add_contacts(work, system.joint_contacts.manifolds[std::size_t(k)], to);
@@ -195,15 +195,16 @@ void EnergyLedger::add_solution(const IslandWork& work, int part, Real h, bool r
 }
 
 // In the accumulators are the program's forces, the weight, and what joints have added: motors at their stops.
-void EnergyLedger::add_forces(const IslandWork& work, int part, Real h, dEnergyLedger& to) const
+void EnergyLedger::add_forces(int part, Real h)
 {
+    dEnergyLedger& to = out_[std::size_t(part)];
     const auto& members = members_[std::size_t(part)].bodies;
     const std::size_t first = first_body(part);
     for (std::size_t i = first; i < first + members.size(); ++i) {
         const Body& body = *members[i - first];
         if (body.kinematic()) continue;
         const Before& b = before_[i];
-        const Vec3 v = motion_[i].v + work.system.bodies[i].v, w = motion_[i].w + work.system.bodies[i].w;
+        const Vec3 v = b.v + body.velocity(), w = b.w + body.angular_velocity();
         const Vec3 known = body.gravity ? b.force + body.mass.mass * world_.gravity : b.force;
         const Real half = h / 2;
         to.forces += double(half * (dot(b.force, v) + dot(b.torque, w)));

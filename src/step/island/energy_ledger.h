@@ -54,7 +54,9 @@ class EnergyLedger {
     void load_motion();
     // The solution of a step or substep of h, before the bodies get its velocities. `relaxed`: the solver has
     // removed the velocities that correct positions.
-    void add_solution(const IslandWork& work, int part, Real h, bool relaxed);
+    void add_solution(const IslandWork& work, int part, bool relaxed);
+    // The work of the forces in a step of length h, by the velocities before it and those that the bodies have now.
+    void add_forces(int part, Real h);
     // What a solver with n relaxed substeps has corrected: the way from the step's beginning to the present poses
     // without `ends`, the sum of the velocities at the end of each substep, times h/n.
     void add_relaxed_corrections(int part, std::span<const Velocity> ends, Real substep);
@@ -68,13 +70,13 @@ class EnergyLedger {
 
   private:
     struct Before {
-        Vec3 x, force, torque;  // of the program
+        Vec3 x, v, w;
+        Vec3 force, torque;  // of the program
     };
     std::size_t first_body(int part) const
     {
         return std::size_t(members_[std::size_t(part)].bodies.data() - bodies_.data());
     }
-    void add_forces(const IslandWork& work, int part, Real h, dEnergyLedger& to) const;
     void add_rows(const IslandWork& work, const RowBlock& block, bool relaxed, dEnergyLedger& to) const;
     void add_contacts(const IslandWork& work, const JointManifold& m, dEnergyLedger& to) const;
     void add_manifold(const IslandWork& work, const ContactManifold& m, dEnergyLedger& to) const;

@@ -3,7 +3,7 @@
 //
 // Every substep assembles the island again: joints evaluate their errors, the stops that act and their
 // rebound at that moment, as if the program had made the step itself. Forces of the beginning are held
-// constant. ERP and CFM of h become those of h/n for the same spring and damper
+// constant, as far as constraints bear them. ERP and CFM of h become those of h/n for the same spring and damper
 // (solve/common/substep_rows.h). Contacts are not searched again. Their separation follows the motion,
 // error <- error - hs J v; one that has opened may close but not penetrate; those that touch rebound in every
 // substep by its velocities. They act at one point of both bodies, half way between where the two have carried it, so that angular momentum
@@ -14,12 +14,12 @@
 #include <algorithm>
 
 #include "dynamics/coupling.h"
-#include "dynamics/exact_spin.h"
-#include "dynamics/integrate.h"
 #include "dynamics/joint_drives.h"
 #include "rows/policy.h"
 #include "rows/separating.h"
 #include "solve/common/substep_rows.h"
+#include "step/island/prompt_forces.h"
+#include "step/island/shake.h"
 #include "step/island/substeps.h"
 #include "step/island/tension.h"
 #include "step/island/write_back.h"
@@ -118,7 +118,7 @@ bool ExactSubsteps::begin()
     }
     for (std::size_t i = 0; i < before_.size(); ++i) {
         const Body& b = *island_.bodies[i];
-        before_[i] = {b.velocity(), b.angular_velocity(), b.spin_excess, load(b.facc), load(b.tacc)};
+        before_[i] = {b.velocity(), b.angular_velocity(), b.spin_excess, load(b.facc), load(b.tacc), {}, {}};
     }
     for (Feedback& f : feedback_) f = {};
     return true;
@@ -147,37 +147,56 @@ void ExactSubsteps::map(RowSystem& system) const
     }
 }
 
-bool ExactSubsteps::run(IslandWork& first, const SolverSettings& settings, SolveReport& report,
+void ExactSubsteps::kick(IslandWork& first, Real warm_share)
+{
+    const std::span<const BorneForce> borne =
+        kick_by_prompt_forces(world_, first, hs_ * Real(n_), warm_share, arena_);
+    for (std::size_t i = 0; i < borne.size(); ++i) {
+        const Body& body = *island_.bodies[i];
+        if (body.kinematic()) continue;
+        const Vec3 force = force_on(world_, body) - borne[i].force,
+                   torque = load(body.tacc) - borne[i].torque;
+        SolverBody& to = first.system.bodies[i];
+        to.v -= (hs_ * to.inv_mass) * force, to.w -= hs_ * (to.inv_inertia * torque);
+        Before& before = before_[i];
+        before.force -= force, before.torque -= torque;
+        before.moving_force = force, before.moving_torque = torque;
+    }
+}
+
+bool ExactSubsteps::run(IslandWork& first, bool raised, const SolverSettings& settings, SolveReport& report,
                         ProjectionReport& projected)
 {
     add_to_ledger(first);
     follow_contacts(first, first);
-    carry_out(first);
+    carry_out(first, raised, settings);
     for (int i = 1; i < n_; ++i) {
         Arena::Scope scope(arena_);
         IslandWork work;
-        if (!next(first, settings, report, work)) return false;
+        if (!next(first, settings, report, work, raised)) return false;
         add_to_ledger(work);
         follow_contacts(first, work);
-        carry_out(work);
+        carry_out(work, raised, settings);
         if (i < n_ - 1 || world_.projection_iterations <= 0) continue;
         if (ledger_.wanted()) ledger_.begin_correction();
         projected = project_poses(world_, work, settings.tasks, *settings.symbolic_cache, arena_);
         if (ledger_.wanted()) ledger_.end_correction();
     }
     store_feedback();
+    restore_forces();
     return true;
 }
 
 bool ExactSubsteps::next(IslandWork& first, const SolverSettings& settings, SolveReport& report,
-                         IslandWork& work)
+                         IslandWork& work, bool& raised)
 {
     load_forces();
     work.island = island_;
     if (!assemble(world_, hs_, kDirect, Tasks(1), arena_, work, nullptr)) return false;
     carry_contacts(first, work);
     map(work.system);
-    if (!world_.acts_as_ode()) add_tension(work, work.system.bodies, hs_, arena_);
+    raised =
+        !world_.acts_as_ode() && add_tension(work, work.system.bodies, hs_, kResolvedExactly, arena_) > 0;
     if (world_.projection_iterations > 0) leave_depth_to_projection(work.system);
     load_warm_start(first, work);
     SolveReport one;
@@ -195,20 +214,30 @@ void ExactSubsteps::load_forces()
     }
 }
 
+void ExactSubsteps::restore_forces() const
+{
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+        Body& body = *island_.bodies[i];
+        store(body.facc, load(body.facc) + before_[i].moving_force);
+        store(body.tacc, load(body.tacc) + before_[i].moving_torque);
+    }
+}
+
 void ExactSubsteps::add_to_ledger(const IslandWork& work)
 {
     if (!ledger_.wanted()) return;
     ledger_.load_motion();
-    ledger_.add_solution(work, 0, hs_, false);
+    ledger_.add_solution(work, 0, false);
 }
 
-void ExactSubsteps::carry_out(const IslandWork& work)
+void ExactSubsteps::carry_out(IslandWork& work, bool raised, const SolverSettings& settings)
 {
     write_back(work, Tasks(1));
+    if (world_.projection_iterations <= 0 || raised)
+        advance_poses(world_, work, hs_);
+    else if (advance_closing(world_, work, settings.tasks, *settings.symbolic_cache, arena_))
+        write_joints_again(work);
     add_feedback(work);
-    const bool free = work.system.rows.empty();
-    for (Body* body : island_.bodies)
-        world_.exact_rotation ? advance_pose_exactly(*body, hs_, free) : advance_pose(*body, hs_);
 }
 
 void ExactSubsteps::add_feedback(const IslandWork& work)

@@ -25,16 +25,19 @@ class ExactSubsteps {
     bool begin();
     // Converts the numbers of an island that has been assembled with substep() to those of a substep.
     void map(RowSystem& system) const;
-    // `first` has been solved: moves the bodies by it, then makes the other n - 1 substeps. Its contacts get
+    // Before `first` is solved: the program's forces move what they can at once (step/island/prompt_forces.h).
+    void kick(IslandWork& first, Real warm_share);
+    // `first` has been solved, with raised inertias or not (step/island/tension.h): moves the bodies by it, then makes the other n - 1 substeps. Its contacts get
     // the impulses of the last substep. False: a solution that is not finite, or out of memory; undo() must
     // follow.
-    bool run(IslandWork& first, const SolverSettings& settings, SolveReport& report,
+    bool run(IslandWork& first, bool raised, const SolverSettings& settings, SolveReport& report,
              ProjectionReport& projected);
     void undo();
 
   private:
     struct Before {
         Vec3 v, w, excess, force, torque;
+        Vec3 moving_force, moving_torque;  // parts of the program's that have become a kick
     };
     struct Feedback {
         Vec3 f1, t1, f2, t2;
@@ -43,10 +46,12 @@ class ExactSubsteps {
         Real coupling;
     };
 
-    bool next(IslandWork& first, const SolverSettings& settings, SolveReport& report, IslandWork& work);
+    bool next(IslandWork& first, const SolverSettings& settings, SolveReport& report, IslandWork& work,
+              bool& raised);
     void load_forces();
+    void restore_forces() const;
     void add_to_ledger(const IslandWork& work);  // before contacts follow the motion and change
-    void carry_out(const IslandWork& work);
+    void carry_out(IslandWork& work, bool raised, const SolverSettings& settings);
     void add_feedback(const IslandWork& work);
     void store_feedback() const;
 

@@ -5,13 +5,12 @@
 //
 //  - The program's forces often depend on the pose (springs, the gravity of planets). Held constant over n
 //    substeps they move a body by (n + 1)/(2n) h^2 a instead of h^2 a, and the scheme is not symplectic any
-//    more: orbits gain energy. Here they act as one kick at the beginning, as in semi-implicit Euler. The
-//    world's gravity is uniform and is still divided over the substeps.
+//    more: orbits gain energy. Here they act as one kick at the beginning, as in semi-implicit Euler; for bodies that
+//    something holds step/island/prompt_forces does. The world's gravity is uniform and is still divided over the substeps.
 //  - dWorldSetExactRotation turns a free body exactly over the whole step (dynamics/exact_spin.h).
 //  - Substeps of islands with manifolds only take the gyroscopic torque of the beginning for the whole step.
 //
-// Rejected: the kick for constrained bodies. Their contacts would carry n times the load in the first substep
-// and none in the others. The substeps have moved a free body too, in the lanes of its group, and that motion
+// The substeps have moved a free body too, in the lanes of its group, and that motion
 // is replaced; only bodies that a program pushes or that turn exactly pay for it.
 #pragma once
 

@@ -15,6 +15,7 @@
 #include "step/island/free_flight.h"
 #include "step/island/manifold_rows.h"
 #include "step/island/report.h"
+#include "step/island/shake.h"
 #include "step/island/strain.h"
 #include "step/island/substeps.h"
 #include "step/island/tension.h"
@@ -75,21 +76,12 @@ class IslandStep {
         if (has_exact_substeps()) exact_substeps_.map(work_.system);
         for (std::size_t i = 0; i < reports.size(); ++i) report_errors(work_, int(i), reports[i]);
         if (watches_strain() && !strain_.begin(world_, work_, arena_)) return false;
-        const bool tension =
-            !world_.acts_as_ode() && add_tension(work_, work_.system.bodies, inner_step(), arena_);
+        raise_inertias(reports);
         if (projects()) leave_depth_to_projection(work_.system);
-        std::optional<SubstepModel> model;
-        Substeps callbacks;
-        if (context_.solver.substeps) {
-            model.emplace(work_, step_info(world_, context_.h), tension, tasks);
-            if (!model->prepare(arena_)) return false;
-            callbacks = model->callbacks();
-        }
         SolverSettings settings;
         settings.iterations = iterations();
         settings.w = world_.quick_w;
         settings.seed = world_.step_count * 0x9e3779b97f4a7c15u + std::uint64_t(place_.draw);
-        settings.substeps = model ? &callbacks : nullptr;
         settings.want_residual = !reports.empty();
         settings.contact_manifolds = context_.manages_contacts;
         settings.part_residuals = arena_.take<Real>(int(reports.size()));
@@ -100,18 +92,30 @@ class IslandStep {
         settings.symbolic_cache = &context_.symbolic_cache;
         if (projects()) settings.refine_above = 1e-9;  // the projection corrects smaller errors of position
         if (context_.solver.substeps && !blows_.begin(work_.system, arena_)) return false;
-        load_warm_start(world_.warm_starting * context_.solver.warm_share);
-        if (projects() && !tension && !note_starts()) return false;
+        load_warm_start(warm_share());
+        std::optional<SubstepModel> model;
+        Substeps callbacks;
+        if (context_.solver.substeps) {
+            std::span<const BorneForce> borne;
+            if (iterations() > 1)
+                borne = kick_by_prompt_forces(world_, work_, context_.h, warm_share(), arena_);
+            model.emplace(work_, world_, step_info(world_, context_.h), raised_ > 0, borne, tasks);
+            if (!model->prepare(arena_)) return false;
+            callbacks = model->callbacks(), settings.substeps = &callbacks;
+        }
+        if (has_exact_substeps()) exact_substeps_.kick(work_, warm_share());
         SolveReport solved;
         bool sane = context_.solver.solve(work_.system, settings, arena_, solved);
         if (!context_.factorisations.empty())
             context_.factorisations[std::size_t(place_.first_island)] = solved.factorisations;
         if (sane && !has_parts()) sane = sound(work_.system, 0, tasks);
-        if (sane && has_exact_substeps()) sane = exact_substeps_.run(work_, settings, solved, projected_);
+        if (sane && has_exact_substeps())
+            sane = exact_substeps_.run(work_, raised_ > 0, settings, solved, projected_);
         for (std::size_t i = 0; i < reports.size(); ++i) {
             if (has_parts()) solved.residual = settings.part_residuals[i];
             report_solution(solved, reports[i]);
         }
+        if (sane && raised_ > 0 && knows_forces()) report_raised(work_.system, plain_, arena_, reports);
         return sane;
     }
 
@@ -126,13 +130,16 @@ class IslandStep {
             if (ledger_.wanted()) add_to_ledger();
             write_back(work_, tasks);
         }
+        if (ledger_.wanted()) add_forces_to_ledger();
         remember_contacts();
         if (!context_.solver.contact_manifolds) store_manifold_impulses(work_);
         if (watches_strain()) strain_.end(world_, work_, strained());
         if (context_.solver.substeps) return;  // the substeps have moved the poses
         if (!has_exact_substeps()) {
-            advance();
-            if (projects()) project(tasks);
+            if (projects())
+                advance_and_project(tasks);
+            else
+                advance_poses(world_, work_, context_.h);
         }
         for (dIslandStepReport& report : reports)
             if (projects()) report_projection(projected_, report);
@@ -144,7 +151,7 @@ class IslandStep {
         contain(work_.island.bodies, work_.joints);
         if (ledger_.wanted()) ledger_.forget();
         for (ManifoldEdge* edge : work_.island.manifolds) clear_impulses(*edge->manifold);
-        advance();
+        advance_poses(world_, work_, context_.h);
         for (dIslandStepReport& report : reports) report.contained = true;
     }
 
@@ -154,6 +161,29 @@ class IslandStep {
     }
 
   private:
+    // Of bodies whose loads the step is too long for. `plain_`: the bodies as they are, where reports are wanted.
+    void raise_inertias(std::span<dIslandStepReport> reports)
+    {
+        if (world_.acts_as_ode()) return;
+        std::span<bool> marks;
+        if (!reports.empty()) {
+            plain_ = arena_.take<SolverBody>(int(work_.system.bodies.size()));
+            marks = arena_.take_zeroed<bool>(int(plain_.size()));
+            if (arena_.failed()) return;
+            std::copy(work_.system.bodies.begin(), work_.system.bodies.end(), plain_.begin());
+        }
+        const bool solves_joints = exact_ || context_.solver.substeps;
+        raised_ = add_tension(work_, work_.system.bodies, inner_step(),
+                              solves_joints ? kResolvedExactly : kResolvedBySweeps, arena_, marks);
+        std::size_t i = 0;
+        for (std::size_t m = 0; m < reports.size(); ++m)
+            for (std::size_t end = i + work_.members[m].bodies.size(); i < end; ++i)
+                reports[m].raised_bodies += marks[i];
+    }
+
+    // Do the solver's bodies begin with the velocities after all forces?
+    bool knows_forces() const { return !context_.solver.substeps && !has_exact_substeps(); }
+
     // False: out of memory.
     bool begin_ledger()
     {
@@ -167,31 +197,29 @@ class IslandStep {
         const bool relaxed = context_.solver.substeps;
         for (int part = 0; part < work_.system.worlds(); ++part) {
             if (has_parts() && !sound(work_.system, part)) continue;
-            ledger_.add_solution(work_, part, context_.h, relaxed);
+            ledger_.add_solution(work_, part, relaxed);
             const int substeps = std::max(1, iterations());
             if (relaxed && !is_free(part))
                 ledger_.add_relaxed_corrections(part, substep_ends_, context_.h / Real(substeps));
         }
     }
 
-    void project(const Tasks& tasks)
+    void add_forces_to_ledger()
     {
-        if (ledger_.wanted()) ledger_.begin_correction();
-        projected_ = project_poses(world_, work_, tasks, context_.symbolic_cache, arena_, starts_);
-        if (ledger_.wanted()) ledger_.end_correction();
-        if (projected_.turned) write_joints_again(work_);
+        for (int part = 0; part < work_.system.worlds(); ++part)
+            if (!has_parts() || sound(work_.system, part)) ledger_.add_forces(part, context_.h);
     }
 
-    // False: out of memory.
-    bool note_starts()
+    void advance_and_project(const Tasks& tasks)
     {
-        starts_ = arena_.take<Velocity>(int(work_.island.bodies.size()));
-        if (arena_.failed()) return false;
-        for (std::size_t i = 0; i < starts_.size(); ++i) {
-            const Body& body = *work_.island.bodies[i];
-            starts_[i] = {body.velocity(), 0, body.angular_velocity(), 0};
-        }
-        return true;
+        SymbolicCache& cache = context_.symbolic_cache;
+        if (raised_ > 0)
+            advance_poses(world_, work_, context_.h);
+        else if (advance_closing(world_, work_, tasks, cache, arena_))
+            write_joints_again(work_);
+        if (ledger_.wanted()) ledger_.begin_correction();
+        projected_ = project_poses(world_, work_, tasks, cache, arena_);
+        if (ledger_.wanted()) ledger_.end_correction();
     }
 
     int iterations() const
@@ -199,6 +227,7 @@ class IslandStep {
         const int n = context_.iterations, factor = context_.solver.settling_factor;
         return work_.island.settles() && n < kManyIterations ? n * factor : n;
     }
+    Real warm_share() const { return world_.warm_starting * context_.solver.warm_share; }
     bool projects() const { return exact_ && world_.projection_iterations > 0; }
     // What the impulses that joints remember are divided by to be forces.
     Real inner_step() const
@@ -333,14 +362,6 @@ class IslandStep {
         return m;
     }
 
-    void advance()
-    {
-        const bool free = work_.system.rows.empty() && work_.contacts.empty();
-        for (Body* body : work_.island.bodies)
-            world_.exact_rotation ? advance_pose_exactly(*body, context_.h, free)
-                                  : advance_pose(*body, context_.h);
-    }
-
     const StepContext& context_;
     World& world_;
     IslandPlace place_;
@@ -353,7 +374,8 @@ class IslandStep {
     StrainWatch strain_;
     Blows blows_;
     ProjectionReport projected_;
-    std::span<Velocity> starts_;  // velocities before the step, if the projection may turn them
+    int raised_ = 0;  // bodies whose inertia is
+    std::span<SolverBody> plain_;
 };
 
 }  // namespace

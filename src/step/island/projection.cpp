@@ -21,17 +21,8 @@
 // pile that is wedged pushes itself apart for ever. They keep half the tolerance, so that they are found
 // again.
 //
-// The next step's solve projects the velocities onto the constraints of the corrected pose, and that takes
-// energy: of a spin w the share (w h)^2, from a pendulum 30 % in 20 s with steps of 5 ms. So the velocities take
-// the impulses of the projection, too, along the rows J0 of the step (SHAKE, Ryckaert, Ciccotti & Berendsen,
-// J. Comp. Phys. 23, 1977):
-//
-//   v <- v + s M^-1 J0^T mu/h,     mu: of the equalities of joints, summed over Newton's steps
-//
-// With s = 1 energy grows without bound once a load of a hundred links shakes the chain. Therefore s is such
-// that no more comes back than these rows have taken in this step, and 0 where SHAKE has no business: joints
-// that the step opened by more than kLongTurn of their levers, and raised masses (tension). Rejected: mu along
-// the new rows, which the next solve takes away again.
+// Joints are closed by the impulses of the step itself (step/island/shake.h). Here their rows only hold them while bodies are parted;
+// where SHAKE leaves a joint open by more than kLongTurn of its levers, these poses close it.
 //
 // Rotors of drives are part of M: each is a row that holds nothing, J dx + p/I = 0.
 #include "step/island/projection.h"
@@ -43,6 +34,7 @@
 #include "joints/drive_rows.h"
 #include "rows/policy.h"
 #include "solve/exact/equalities.h"
+#include "step/island/position_rows.h"
 #include "step/island/tension.h"
 
 namespace epode {
@@ -52,8 +44,6 @@ constexpr Real kSpringShare = Real(1e-3);            // of the inverse_mass, abo
 constexpr double kSoftness = kSingle ? 1e-6 : 1e-9;  // of the inverse_mass, for redundant rows
 constexpr Real kLargestTurn = 1;                     // rad, of one Newton step
 constexpr Real kLongTurn = Real(0.03);               // opening relative to the lever, about (w h)^2/2
-constexpr int kRotorSweeps = 20;
-constexpr Real kRotorChange = Real(1e-4);  // of the largest impulse: enough sweeps
 constexpr std::size_t kFewRows = 64;
 constexpr int kMaxHalvings = 5;
 
@@ -64,45 +54,12 @@ struct Hold {
     Real per_arm;      // 1/l
     bool follows;      // the motion, as the pose does not determine its error
     Real inertia = 0;  // of a rotor, which holds nothing: J dx + p/inertia = 0 is its share of the metric
-    Real freedom = 0;  // inverse effective mass at a rotor
 };
-
-bool is_spring(const Row& row, const RowBlock& block, const RowSystem& system)
-{
-    if (row.drive) return true;
-    return row.cfm / system.h > kSpringShare * inverse_effective_mass(system, block, row, system.bodies);
-}
-
-// Holds a joint together, and nothing else.
-bool is_equality(const Row& row)
-{
-    return row.kind == RowKind::kLock && row.lo == -kInf && row.hi == kInf && !row.drive;
-}
 
 // Blocks of joints between two bodies at most.
 bool has_equalities(const RowBlock& block) { return !block.contact && block.term_count == 0; }
 
 bool has_rotor(const Row& row) { return row.drive && row.drive->inertia > 0; }
-
-// What the joints' equalities have taken of the energy of motion in the step.
-Real lost_to_joints(const IslandWork& work, std::span<const Velocity> starts)
-{
-    Real taken = 0;
-    for (const RowBlock& block : work.system.blocks)
-        for (int i = block.first; has_equalities(block) && i < block.first + block.count; ++i) {
-            const Row& row = work.system.rows[std::size_t(i)];
-            if (!is_equality(row)) continue;
-            const auto rate = [&](int body, Vec3 lin, Vec3 ang) {
-                if (body < 0) return Real(0);
-                const Velocity& start = starts[std::size_t(body)];
-                const SolverBody& end = work.system.bodies[std::size_t(body)];
-                return dot(lin, start.v + end.v) + dot(ang, start.w + end.w);
-            };
-            const Real u = rate(block.body1, row.lin1, row.ang1) + rate(block.body2, row.lin2, row.ang2);
-            taken -= work.system.numbers[std::size_t(i)].p * u / 2;
-        }
-    return taken;
-}
 
 struct PoseBefore {
     Vec3 p;
@@ -134,9 +91,6 @@ class Projection {
         from_ = arena_.take<int>(blocks);
         system_.bodies = arena_.take<SolverBody>(bodies);
         poses_ = arena_.take<PoseBefore>(bodies);
-        impulses_ = arena_.take_zeroed<Real>(rows);
-        change_ = arena_.take<SolverBody>(bodies);
-        turning_ = arena_.take_zeroed<Real>(rows);
         system_.terms = arena_.take<WideTerm>(int(work_.system.terms.size()));
         system_.h = 1;
         if (arena_.failed()) return false;
@@ -149,7 +103,6 @@ class Projection {
     {
         ProjectionReport report;
         measure();
-        opened_ = worst_;
         while (worst_ > world_.projection_tolerance && report.iterations < world_.projection_iterations) {
             ++report.iterations;
             if (!improve(tasks)) break;
@@ -157,25 +110,6 @@ class Projection {
         report.error = double(worst_);
         report.open = worst_ > world_.projection_tolerance;
         return report;
-    }
-
-    // True: velocities have changed, and impulses of the step with them.
-    bool turn_velocities(std::span<const Velocity> starts)
-    {
-        if (!(opened_ <= kLongTurn)) return false;
-        const Real lost = lost_to_joints(work_, starts);
-        if (!(lost > 0)) return false;
-        set_change();
-        const Real s = share_within(lost);
-        if (!(s > 0)) return false;
-        for (std::size_t i = 0; i < change_.size(); ++i) {
-            SolverBody& end = work_.system.bodies[i];
-            end.v += s * change_[i].v, end.w += s * change_[i].w;
-            store(body(i).lvel, end.v), store(body(i).avel, end.w);
-        }
-        for (std::size_t i = 0; i < holds_.size(); ++i)
-            work_.system.numbers[std::size_t(holds_[i].source)].p += s * turning_[i];
-        return true;
     }
 
   private:
@@ -192,7 +126,7 @@ class Projection {
             RowWriter out(now, info_);
             if (!block.contact) emit_joint(*work_.joints[k], out);
             const int first = rows;
-            const Real per_arm = 1 / longest_arm(block);
+            const Real per_arm = 1 / longest_arm(work_, block);
             for (int i = 0; i < block.count; ++i) {
                 const Row& row = work_.system.rows[std::size_t(block.first + i)];
                 if (has_rotor(row) && has_equalities(block)) {
@@ -201,7 +135,7 @@ class Projection {
                     continue;
                 }
                 if (!holds_position(row, block)) continue;
-                const bool follows = i >= out.count() || now[i].error == row.error;
+                const bool follows = i >= out.count() || row.told;
                 const bool turns = row.lin1 == Vec3{} && row.lin2 == Vec3{};
                 Hold& hold = holds_[std::size_t(rows)];
                 hold = {block.first + i, 0, turns ? Real(1) : per_arm, follows};
@@ -235,24 +169,6 @@ class Projection {
         if (row.kind == RowKind::kFriction) return false;
         if (row.kind == RowKind::kLimit && row.lo != 0 && row.hi != 0) return false;  // a motor
         return !is_spring(row, block, work_.system);
-    }
-
-    // The longest lever arm of the block's rows, but not less than its bodies' radius of gyration.
-    Real longest_arm(const RowBlock& block) const
-    {
-        Real longest = 0;
-        for (int k = 0; k < 2; ++k) {
-            const int at = k == 0 ? block.body1 : block.body2;
-            if (at < 0 || body(std::size_t(at)).kinematic()) continue;
-            const Body& b = body(std::size_t(at));
-            const Real largest = std::max(b.inertia.xx, std::max(b.inertia.yy, b.inertia.zz));
-            longest = std::max(longest, std::sqrt(largest * b.inv_mass));
-            for (int i = block.first; i < block.first + block.count; ++i) {
-                const Row& row = work_.system.rows[std::size_t(i)];
-                if (!(row.lin1 == Vec3{})) longest = std::max(longest, length(k == 0 ? row.ang1 : row.ang2));
-            }
-        }
-        return longest > 0 ? longest : 1;
     }
 
     // J times the step's displacement.
@@ -301,7 +217,7 @@ class Projection {
         std::copy(holds_.begin(), holds_.end(), before_.begin());
         for (int k = 0; k <= kMaxHalvings; ++k, share /= 2) {
             move(share);
-            if (merit_ < merit) return note_impulses(share), true;
+            if (merit_ < merit) return true;
         }
         move(0);
         return false;
@@ -318,71 +234,6 @@ class Projection {
         return kDirect.solve(system_, settings, arena_, report);
     }
 
-    void note_impulses(Real share)
-    {
-        for (std::size_t i = 0; i < holds_.size(); ++i) impulses_[i] += share * system_.numbers[i].p;
-    }
-
-    // f(block, row of the projection, row of the step) for those that are such.
-    template <typename F>
-    void for_rows(bool (*wanted)(const Row&), F&& f) const
-    {
-        for (const RowBlock& block : system_.blocks)
-            for (int i = block.first; has_equalities(block) && i < block.first + block.count; ++i)
-                if (const Row& row = step_row(holds_[std::size_t(i)]); wanted(row))
-                    f(block, std::size_t(i), row);
-    }
-
-    // dv = M^-1 J0^T mu/h, where each rotor resists by I J dv: by Gauss-Seidel.
-    void set_change()
-    {
-        std::copy(work_.system.bodies.begin(), work_.system.bodies.end(), change_.begin());
-        for (SolverBody& body : change_) body.v = body.w = {};
-        for_rows(&is_equality, [&](const RowBlock& block, std::size_t i, const Row& row) {
-            turn(block, i, row, impulses_[i] / work_.system.h);
-        });
-        Real largest = 0, change = kInf;
-        for_rows(&has_rotor, [&](const RowBlock& block, std::size_t i, const Row& row) {
-            holds_[i].freedom = inverse_effective_mass(system_, block, row, change_);
-        });
-        for (int sweep = 0; sweep < kRotorSweeps && change > kRotorChange * largest; ++sweep) {
-            change = 0;
-            for_rows(&has_rotor, [&](const RowBlock& block, std::size_t i, const Row& row) {
-                const Real I = holds_[i].inertia, u = row_velocity(system_, block, row, change_);
-                const Real p = -(I * u + turning_[i]) / (1 + I * holds_[i].freedom);
-                turn(block, i, row, p);
-                change = std::max(change, std::fabs(p)), largest = std::max(largest, std::fabs(turning_[i]));
-            });
-        }
-    }
-
-    void turn(const RowBlock& block, std::size_t i, const Row& row, Real p)
-    {
-        turning_[i] += p;
-        apply_impulse(system_, block, row, p, change_);
-    }
-
-    // The largest share of the change, up to 1, that raises the energy by no more than that:
-    //   s a + s^2 b/2 <= energy,   a = v.M dv,  b = dv.M dv,  with rotors in M
-    Real share_within(Real energy) const
-    {
-        Real a = 0, b = 0;
-        for (std::size_t i = 0; i < change_.size(); ++i) {
-            const SolverBody &dv = change_[i], &end = work_.system.bodies[i];
-            const Vec3 P = dv.mass * dv.v, L = dv.inertia * dv.w;
-            a += dot(P, end.v) + dot(L, end.w);
-            b += dot(P, dv.v) + dot(L, dv.w);
-        }
-        for_rows(&has_rotor, [&](const RowBlock& block, std::size_t i, const Row& row) {
-            const Real u = row_velocity(system_, block, row, change_);
-            a += holds_[i].inertia * u * row_velocity(system_, block, row, work_.system.bodies);
-            b += holds_[i].inertia * u * u;
-        });
-        if (!usable(a) || !usable(b)) return 0;
-        if (a + b / 2 <= energy) return 1;
-        return std::min(Real(1), 2 * energy / (a + std::sqrt(a * a + 2 * b * energy)));
-    }
-
     void load_bodies()
     {
         for (std::size_t i = 0; i < system_.bodies.size(); ++i) {
@@ -395,7 +246,7 @@ class Projection {
             s.inertia = rotate(b.rotation(), b.inertia);
             s.inv_inertia = rotate(b.rotation(), b.inv_inertia);
         }
-        add_tension(work_, system_.bodies, work_.system.h, arena_);
+        add_tension(work_, system_.bodies, work_.system.h, kResolvedExactly, arena_);
     }
 
     void load_numbers()
@@ -473,10 +324,6 @@ class Projection {
     std::span<Hold> holds_, before_;  // parallel to its rows
     std::span<int> from_;             // block of the step that a block is of
     std::span<PoseBefore> poses_;
-    std::span<Real> impulses_;      // of the rows, of all steps
-    std::span<SolverBody> change_;  // of the bodies' velocities, with s = 1
-    std::span<Real> turning_;       // impulses of the rows that make it
-    Real opened_ = 0;               // worst_ at the beginning
     bool one_sided_ = false;
     Real worst_ = 0, merit_ = 0;  // largest e/l, sum of its squares
 };
@@ -495,14 +342,12 @@ void leave_depth_to_projection(RowSystem& system)
 }
 
 ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks,
-                               SymbolicCache& symbolic_cache, Arena& arena, std::span<const Velocity> starts)
+                               SymbolicCache& symbolic_cache, Arena& arena)
 {
     Arena::Scope scope(arena);
     Projection projection(world, work, symbolic_cache, arena);
     if (!projection.prepare()) return {};
-    ProjectionReport report = projection.run(tasks);
-    report.turned = report.iterations > 0 && !starts.empty() && projection.turn_velocities(starts);
-    return report;
+    return projection.run(tasks);
 }
 
 }  // namespace epode

@@ -5,7 +5,6 @@
 // reached.
 #pragma once
 
-#include "solve/common/velocities.h"
 #include "solve/exact/factor/symbolic_cache.h"
 #include "step/island/assemble.h"
 #include "tasks/tasks.h"
@@ -14,19 +13,15 @@ namespace epode {
 
 struct ProjectionReport {
     int iterations = 0;
-    double error = 0;     // worst left, relative to the levers
-    bool open = false;    // above the tolerance still
-    bool turned = false;  // velocities and impulses have changed
+    double error = 0;   // worst left, relative to the levers
+    bool open = false;  // above the tolerance still
 };
 
 // With a projection to follow, velocities need not push bodies out of contacts and back from stops.
 void leave_depth_to_projection(RowSystem& system);
 
-// The island's poses have been advanced by h with the velocities that its bodies have, its joints remember
-// the impulses of this step. `starts`: velocities at the step's beginning; without them velocities stay. Out
-// of memory: all stays.
+// The island's poses have been advanced by h. Out of memory: all stays.
 ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks,
-                               SymbolicCache& symbolic_cache, Arena& arena,
-                               std::span<const Velocity> starts = {});
+                               SymbolicCache& symbolic_cache, Arena& arena);
 
 }  // namespace epode

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solve/common/residual.h"
 #include "step/island/energy_ledger.h"
 
 namespace epode {
@@ -75,6 +76,30 @@ void report_solution(const SolveReport& solved, dIslandStepReport& report)
     report.factorisations = solved.factorisations;
     report.fallback = solved.fallback;
     report.friction_error = double(solved.friction_error);
+    report.raised_residual = report.residual;
+}
+
+void report_raised(const RowSystem& system, std::span<const SolverBody> plain, Arena& arena,
+                   std::span<dIslandStepReport> reports)
+{
+    Arena::Scope scope(arena);
+    const auto lo = arena.take<Real>(int(system.numbers.size())),
+               hi = arena.take<Real>(int(system.numbers.size()));
+    if (reports.empty() || arena.failed()) return;
+    for (std::size_t i = 0; i < lo.size(); ++i) {
+        const RowNumbers& n = system.numbers[i];
+        const bool friction = n.parent >= 0;
+        lo[i] = friction ? n.p : n.lo, hi[i] = friction ? n.p : n.hi;
+    }
+    RowSystem one = system;
+    for (int part = 0; part < system.worlds(); ++part) {
+        dIslandStepReport& report = reports[std::size_t(part)];
+        const int from = system.begin_of(part).blocks, to = system.end_of(part).blocks;
+        one.blocks = system.blocks.subspan(std::size_t(from), std::size_t(to - from));
+        one.frictions = frictions_of(system, part);
+        if (report.raised_bodies > 0)
+            report.raised_residual = double(natural_residual(one, plain, lo, hi, arena));
+    }
 }
 
 void report_projection(const ProjectionReport& done, dIslandStepReport& report)
@@ -108,6 +133,8 @@ dWorldStepReport sum_of(std::span<const dIslandStepReport> islands)
         total.iterations += one.iterations;
         total.factorisations += one.factorisations;
         total.fallbacks += one.fallback;
+        total.raised_bodies += one.raised_bodies;
+        total.raised_residual = std::max(total.raised_residual, one.raised_residual);
         total.contained_islands += one.contained;
         total.joint_error = std::max(total.joint_error, one.joint_error);
         total.joint_angle_error = std::max(total.joint_angle_error, one.joint_angle_error);

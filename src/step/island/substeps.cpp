@@ -117,7 +117,9 @@ void SubstepModel::load_body(std::size_t i, const Body& body, const SolverBody& 
     set(to.q, lane, body.orientation()), set(to.next, lane, body.orientation());
     set(to.R, lane, body.rotation());
     to.inv_mass[int(lane)] = solver.inv_mass;
-    set(to.force, lane, load(body.facc)), set(to.torque, lane, load(body.tacc));
+    const bool all = borne_.empty();
+    set(to.force, lane, all ? load(body.facc) : force_left(world_, body, borne_[i]));
+    set(to.torque, lane, all ? load(body.tacc) : borne_[i].torque);
     set(to.inertia, lane, gyroscopic ? body.inertia : Sym3{});
     set(to.inv_inertia, lane, inv_inertia);
     set(to.inv_in_world, lane, solver.inv_inertia);

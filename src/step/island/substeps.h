@@ -8,6 +8,7 @@
 #include "rows/row_system.h"
 #include "solve/substeps/body_kernels.h"
 #include "step/island/assemble.h"
+#include "step/island/prompt_forces.h"
 #include "tasks/tasks.h"
 
 namespace epode {
@@ -15,8 +16,10 @@ namespace epode {
 class SubstepModel {
   public:
     // `info` is that of the whole step. `tension`: inertias of the solver may be raised (step/island/tension.h).
-    SubstepModel(IslandWork& work, const StepInfo& info, bool tension, const Tasks& tasks)
-        : work_(work), info_(info), tension_(tension), tasks_(tasks)
+    // `borne`: of each body, or none; what is left of the program's force (step/island/prompt_forces.h).
+    SubstepModel(IslandWork& work, const World& world, const StepInfo& info, bool tension,
+                 std::span<const BorneForce> borne, const Tasks& tasks)
+        : work_(work), world_(world), info_(info), tension_(tension), borne_(borne), tasks_(tasks)
     {
         info_.inner = true;  // joints keep the rows that they wrote at the beginning of the step
     }
@@ -39,8 +42,10 @@ class SubstepModel {
     static void gather_contacts(void* model, RowSystem& system);
 
     IslandWork& work_;
+    const World& world_;
     StepInfo info_;
     bool tension_;
+    std::span<const BorneForce> borne_;
     Tasks tasks_;
     const BodyKernels& kernels_ = *body_kernels().back();
     std::span<BodyLanes> lanes_;

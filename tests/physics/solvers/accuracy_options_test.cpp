@@ -314,22 +314,20 @@ TEST_P(WhippedChain, stays_closed_at_every_mass_ratio)
 
 INSTANTIATE_TEST_SUITE_P(Ratios, WhippedChain, testing::Values(1., 10., 100., 1e4, 1e6));
 
-// A step that begins on the constraints takes next to nothing that the projection could give back.
-TEST_F(Projection, velocities_are_those_of_a_first_step)
+// The impulses of the step close the joints (step/island/shake.h): what bodies have moved is what their velocities say, without a correction.
+TEST_F(Projection, velocities_lead_to_where_joints_are_closed)
 {
-    Sim plain;
-    plain.gravity(0, 0, -9.81);
-    for (Sim* s : {&sim, &plain}) {
-        dBodyID a = s->body({0.5, 0, 0}), b = s->body({1.5, 0, 0});
-        ball(*s, a, nullptr, {0, 0, 0}), ball(*s, b, a, {1, 0, 0});
-        velocity(a, {0, 0, 2}, {0, -4, 0}), velocity(b, {0, 0, 6}, {0, -4, 0});
-        s->advance(0.05);
-    }
-    EXPECT_GT(sim.report().projection_iterations, 0);
-    for (int i = 0; i < 2; ++i) {
-        EXPECT_LT(length(velocity(sim.bodies[i]) - velocity(plain.bodies[i])), tol(1e-4, 1e-2));
-        EXPECT_LT(length(spin(sim.bodies[i]) - spin(plain.bodies[i])), tol(1e-4, 1e-2));
-        EXPECT_GT(length(position(sim.bodies[i]) - position(plain.bodies[i])), 1e-3);
+    dBodyID a = sim.body({0.5, 0, 0}), b = sim.body({1.5, 0, 0});
+    joints = {ball(sim, a, nullptr, {0, 0, 0}), ball(sim, b, a, {1, 0, 0})};
+    velocity(a, {0, 0, 2}, {0, -4, 0}), velocity(b, {0, 0, 6}, {0, -4, 0});
+    for (int i = 0; i < 20; ++i) {
+        const V3 from[2] = {position(a), position(b)};
+        run(0.01, 0.01);
+        EXPECT_LT(worst, 1e-6) << i;
+        for (int k = 0; k < 2; ++k)
+            EXPECT_LT(length(position(sim.bodies[k]) - from[k] - 0.01 * velocity(sim.bodies[k])),
+                      tol(1e-15, 1e-6))
+                << i;
     }
 }
 
@@ -529,14 +527,14 @@ TEST_F(Projection, all_joint_types_are_closed)
 
 // ---- sub-steps ----
 
-// Joints without ERP and CFM have nothing that depends on h: n parts are n steps, with the forces of each.
+// Joints without ERP and CFM have nothing that depends on h: n parts are n steps. (Forces of the program are a kick in the first part.)
 TEST(ExactSubsteps, are_as_many_steps)
 {
     for (bool exact_rotation : {false, true}) {
         Sim parts, steps;
         constexpr int n = 4;
         for (Sim* s : {&parts, &steps}) {
-            s->gravity(0, 0, -9.81);
+            s->gravity(1, 2, -9.81);
             dWorldSetERP(s->world, 0);
             dWorldSetCFM(s->world, 0);
             dWorldSetExactRotation(s->world, exact_rotation);
@@ -548,12 +546,8 @@ TEST(ExactSubsteps, are_as_many_steps)
         }
         dWorldSetExactSubsteps(parts.world, n);
         for (int i = 0; i < 50; ++i) {
-            dBodyAddForce(parts.bodies[1], 1, 2, 3);
             parts.advance(0.0625);
-            for (int k = 0; k < n; ++k) {
-                dBodyAddForce(steps.bodies[1], 1, 2, 3);
-                steps.advance(0.0625 / n);
-            }
+            for (int k = 0; k < n; ++k) steps.advance(0.0625 / n);
         }
         EXPECT_EQ(hash_state(parts), hash_state(steps)) << exact_rotation;
     }

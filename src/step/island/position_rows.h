@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Which rows hold positions, and the levers that make their errors comparable.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "step/island/assemble.h"
+
+namespace epode {
+
+// Softness above this share of the inverse effective mass is meant: a spring.
+inline bool is_spring(const Row& row, const RowBlock& block, const RowSystem& system)
+{
+    constexpr Real kSpringShare = Real(1e-3);
+    if (row.drive) return true;
+    return row.cfm / system.h > kSpringShare * inverse_effective_mass(system, block, row, system.bodies);
+}
+
+// Holds a joint together, and nothing else.
+inline bool is_equality(const Row& row)
+{
+    return row.kind == RowKind::kLock && row.lo == -kInf && row.hi == kInf && !row.drive;
+}
+
+inline bool turns_only(const Row& row) { return row.lin1 == Vec3{} && row.lin2 == Vec3{}; }
+
+// The longest lever arm of the block's rows, but not less than its bodies' radius of gyration.
+inline Real longest_arm(const IslandWork& work, const RowBlock& block)
+{
+    Real longest = 0;
+    for (int k = 0; k < 2; ++k) {
+        const int at = k == 0 ? block.body1 : block.body2;
+        if (at < 0 || work.island.bodies[std::size_t(at)]->kinematic()) continue;
+        const Body& b = *work.island.bodies[std::size_t(at)];
+        const Real largest = std::max(b.inertia.xx, std::max(b.inertia.yy, b.inertia.zz));
+        longest = std::max(longest, std::sqrt(largest * b.inv_mass));
+        for (int i = block.first; i < block.first + block.count; ++i) {
+            const Row& row = work.system.rows[std::size_t(i)];
+            if (!(row.lin1 == Vec3{})) longest = std::max(longest, length(k == 0 ? row.ang1 : row.ang2));
+        }
+    }
+    return longest > 0 ? longest : 1;
+}
+
+}  // namespace epode

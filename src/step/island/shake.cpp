@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "step/island/shake.h"
+
+#include "dynamics/exact_spin.h"
+#include "dynamics/integrate.h"
+#include "joints/drive_rows.h"
+#include "solve/exact/equalities.h"
+#include "solve/solver.h"
+#include "step/island/position_rows.h"
+
+namespace epode {
+namespace {
+
+constexpr std::size_t kFewRows = 64;  // kDirect has a shorter way
+constexpr int kMaxIterations = 8;
+constexpr Real kEnough = Real(1e-3);   // of the projection's tolerance
+constexpr Real kGain = Real(0.25);     // of the sum of squares, that an iteration must reach
+constexpr Real kLongTurn = Real(0.1);  // opening relative to the lever, about (w h)^2/2
+constexpr Real kSticks = Real(0.999);  // of its bound: friction that does not slide
+
+bool is_free(const IslandWork& work) { return work.system.rows.empty() && work.contacts.empty(); }
+
+void advance(const World& world, Body& body, Real h, bool free)
+{
+    world.exact_rotation ? advance_pose_exactly(body, h, free) : advance_pose(body, h);
+}
+
+class Shake {
+  public:
+    Shake(const World& world, IslandWork& work, const Tasks& tasks, SymbolicCache& symbolic_cache,
+          Arena& arena)
+        : world_(world),
+          work_(work),
+          tasks_(tasks),
+          symbolic_cache_(symbolic_cache),
+          arena_(arena),
+          info_(step_info(world, work.system.h))
+    {
+        info_.inner = true;
+    }
+
+    // Before the poses are advanced. False: out of memory, or there is nothing to close.
+    bool begin()
+    {
+        const int rows = int(work_.system.rows.size()), bodies = int(work_.system.bodies.size());
+        system_.rows = arena_.take<Row>(rows), system_.numbers = arena_.take<RowNumbers>(rows);
+        system_.blocks = arena_.take<RowBlock>(int(work_.system.blocks.size()));
+        system_.bodies = arena_.take<SolverBody>(bodies);
+        sources_ = arena_.take<int>(rows), closed_ = arena_.take<Closed>(rows);
+        starts_ = arena_.take<Start>(bodies);
+        if (arena_.failed()) return false;
+        choose_rows();
+        save_starts();
+        return !closed_.empty();
+    }
+
+    bool run()
+    {
+        bool changed = false;
+        go();
+        for (int i = 0; i < kMaxIterations && worst_ <= kLongTurn && (i == 0 || !is_enough()); ++i) {
+            const Real merit = merit_;
+            if (!correct()) break;
+            go_on(1);
+            if (!(merit_ < kGain * merit)) return go_on(-1), changed;
+            changed = true;
+        }
+        return changed;
+    }
+
+  private:
+    struct Start {
+        Vec3 x;
+        Quat q;
+        Mat3 R;
+        Vec3 excess;
+    };
+    struct Closed {  // a row that holds a joint
+        std::size_t block;
+        int place;  // in the block
+        int row;    // of the correction
+        Real per_arm;
+        Real expected;  // error at the end, to first order in the motion
+        Real excess;    // of the error over that
+    };
+
+    Body& body(std::size_t i) const { return *work_.island.bodies[i]; }
+    bool is_enough() const { return worst_ <= kEnough * world_.projection_tolerance; }
+
+    void choose_rows()
+    {
+        system_.h = work_.system.h, system_.terms = work_.system.terms;
+        std::size_t count = 0, blocks = 0, closed = 0;
+        for (std::size_t k = 0; k < work_.system.blocks.size(); ++k) {
+            const RowBlock& block = work_.system.blocks[k];
+            const std::size_t first = count;
+            const Real per_arm = 1 / longest_arm(work_, block);
+            for (int i = 0; i < block.count; ++i) {
+                const auto source = std::size_t(block.first + i);
+                const Row& row = work_.system.rows[source];
+                if (!acts(work_.system.numbers[source])) continue;
+                if (is_closed(row, block))
+                    closed_[closed++] = {
+                        k, i, int(count), turns_only(row) ? Real(1) : per_arm, expected_error(row, block), 0};
+                sources_[count] = int(source), system_.rows[count] = row;
+                system_.numbers[count] = {}, system_.numbers[count].C = work_.system.numbers[source].C;
+                ++count;
+            }
+            if (count == first) continue;
+            RowBlock& to = system_.blocks[blocks++];
+            to = block, to.first = int(first), to.count = int(count - first), to.coulomb = false;
+        }
+        system_.rows = system_.rows.first(count), system_.numbers = system_.numbers.first(count);
+        system_.blocks = system_.blocks.first(blocks), closed_ = closed_.first(closed);
+    }
+
+    bool is_closed(const Row& row, const RowBlock& block) const
+    {
+        return !block.contact && is_equality(row) && !row.told && !is_spring(row, block, work_.system);
+    }
+
+    Real expected_error(const Row& row, const RowBlock& block) const
+    {
+        return row.error - system_.h * row_velocity(work_.system, block, row, work_.system.bodies);
+    }
+
+    bool acts(const RowNumbers& n) const
+    {
+        if (n.parent < 0) return n.p > n.lo && n.p < n.hi;
+        return std::fabs(n.p) < kSticks * n.hi * work_.system.numbers[std::size_t(n.parent)].p;
+    }
+
+    void save_starts()
+    {
+        for (std::size_t i = 0; i < starts_.size(); ++i) {
+            const Body& b = body(i);
+            starts_[i] = {b.position(), b.orientation(), b.rotation(), b.spin_excess};
+        }
+    }
+
+    // From the beginning with the present velocities.
+    void go()
+    {
+        const bool free = is_free(work_);
+        for (std::size_t i = 0; i < starts_.size(); ++i) {
+            Body& b = body(i);
+            store(b.pos, starts_[i].x), store_quat(b.q, starts_[i].q), store_mat(b.R, starts_[i].R);
+            b.spin_excess = starts_[i].excess;
+            advance(world_, b, system_.h, free);
+        }
+        measure();
+    }
+
+    void go_on(Real sign)
+    {
+        apply(sign);
+        go();
+    }
+
+    void measure()
+    {
+        worst_ = merit_ = 0;
+        Row now[kMaxBlockRows];
+        std::size_t emitted = work_.system.blocks.size();
+        int count = 0;
+        for (Closed& row : closed_) {
+            if (row.block != emitted) {
+                RowWriter out(now, info_);
+                emit_joint(*work_.joints[row.block], out);
+                emitted = row.block, count = out.count();
+            }
+            row.excess = row.place < count ? now[row.place].error - row.expected : 0;
+            const Real e = std::fabs(row.excess) * row.per_arm;
+            worst_ = std::max(worst_, e), merit_ += e * e;
+        }
+    }
+
+    bool correct()
+    {
+        Arena::Scope scope(arena_);
+        for (std::size_t i = 0; i < system_.bodies.size(); ++i) {
+            system_.bodies[i] = work_.system.bodies[i];
+            system_.bodies[i].v = system_.bodies[i].w = {};
+        }
+        for (RowNumbers& n : system_.numbers) n.c = n.p = 0;
+        for (const Closed& row : closed_) system_.numbers[std::size_t(row.row)].c = row.excess / system_.h;
+        if (system_.rows.size() > kFewRows) return solve_equalities(system_, &symbolic_cache_, arena_);
+        SolverSettings settings;
+        settings.tasks = tasks_;
+        settings.symbolic_cache = &symbolic_cache_;
+        SolveReport report;
+        return kDirect.solve(system_, settings, arena_, report);
+    }
+
+    void apply(Real sign)
+    {
+        for (std::size_t i = 0; i < system_.bodies.size(); ++i) {
+            SolverBody& to = work_.system.bodies[i];
+            to.v += sign * system_.bodies[i].v, to.w += sign * system_.bodies[i].w;
+            store(body(i).lvel, to.v), store(body(i).avel, to.w);
+        }
+        for (std::size_t i = 0; i < system_.numbers.size(); ++i)
+            work_.system.numbers[std::size_t(sources_[i])].p += sign * system_.numbers[i].p;
+    }
+
+    const World& world_;
+    IslandWork& work_;
+    const Tasks& tasks_;
+    SymbolicCache& symbolic_cache_;
+    Arena& arena_;
+    StepInfo info_;
+    RowSystem system_;        // of a correction
+    std::span<int> sources_;  // rows of the step, parallel to its rows
+    std::span<Closed> closed_;
+    std::span<Start> starts_;
+    Real worst_ = 0, merit_ = 0;  // largest e'/l, sum of its squares
+};
+
+}  // namespace
+
+void advance_poses(const World& world, const IslandWork& work, Real h)
+{
+    const bool free = is_free(work);
+    for (Body* body : work.island.bodies) advance(world, *body, h, free);
+}
+
+bool advance_closing(const World& world, IslandWork& work, const Tasks& tasks, SymbolicCache& symbolic_cache,
+                     Arena& arena)
+{
+    Arena::Scope scope(arena);
+    Shake shake(world, work, tasks, symbolic_cache, arena);
+    if (shake.begin()) return shake.run();
+    advance_poses(world, work, work.system.h);
+    return false;
+}
+
+}  // namespace epode
