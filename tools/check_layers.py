@@ -51,8 +51,10 @@ ROOMS = {
     },
     "step": {
         "common": set(),
-        "island": {"common"},
-        "": {"common", "island"},
+        "island/problem": {"common"},
+        "island/positions": {"common", "island/problem"},
+        "island": {"common", "island/problem", "island/positions"},
+        "": {"common", "island", "island/problem", "island/positions"},
     },
     "api": {
         "": set(),

@@ -62,7 +62,7 @@ inline SlotPair slots_of(const ContactPair& pair)
 }
 
 // What is open and has not been pushed was only near. (Friction may be left of a normal impulse that is gone:
-// step/island/manifold_rows.cpp.)
+// step/island/problem/manifold_rows.cpp.)
 inline bool touches(const CachedManifold& kept, const ManifoldPoint& point)
 {
     const Float3 f = point.friction_impulse;

@@ -3,7 +3,7 @@
 //
 // A step resolves a rotation, or a swing, of less than about a radian: h |w| for bodies whose inertia is not
 // the same about all axes; and h sqrt(F r / I) for a body that carries the force F on the arm r through its
-// joints, which swings about the load's line like a pendulum (the whip: step/island/tension has the derivation).
+// joints, which swings about the load's line like a pendulum (the whip: step/island/positions/tension has the derivation).
 // A step that holds the directions of forces fixed lets it swing through its rest position ever farther. Of this
 // only a joint that has come open is proof, above three radians; substeps turn the forces along, and the
 // projection raises the inertia. In loops joints may pull on each other for nothing, so they are left out.

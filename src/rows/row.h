@@ -50,7 +50,7 @@ struct Row : Jacobian {
     RowKind kind = RowKind::kLock;
     bool has_restitution = false;
     bool soft = false;                // the user chose erp or cfm for this row: use them literally
-    bool told = false;                // the error comes from the program: the pose does not determine it
+    bool given = false;               // the error comes from the program: the pose does not determine it
     const RowDrive* drive = nullptr;  // replaces erp, cfm and speed
 };
 

@@ -64,15 +64,15 @@ class RowWriter {
         r.lo = -kInf, r.hi = kInf;
         r.parent = -1;
         r.kind = kind;
-        r.has_restitution = r.soft = r.told = false;
+        r.has_restitution = r.soft = r.given = false;
         r.drive = nullptr;
         return r;
     }
 
     // The program, and not the pose, determines the errors of the rows that are written.
-    void mark_told()
+    void mark_given()
     {
-        for (int i = 0; i < count_; ++i) rows_[i].told = true;
+        for (int i = 0; i < count_; ++i) rows_[i].given = true;
     }
 
     // All rows, written and to come, belong to one contact point: J = [d, r1 x d, -d, -(r2 x d)] for normal

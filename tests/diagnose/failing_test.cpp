@@ -356,7 +356,7 @@ TEST_F(Failing, step_too_long_at_ten_hertz)
 // Solved exactly, and yet torn open: the whip.
 TEST_F(Failing, step_too_long_for_light_links_under_a_load)
 {
-    dWorldSetBehaviour(world, dBehaviour016);  // the newest holds them (step/island/tension.cpp)
+    dWorldSetBehaviour(world, dBehaviour016);  // the newest holds them (step/island/positions/tension.cpp)
     dBodyID last = nullptr, light = nullptr;
     for (int i = 0; i < 9; ++i) {
         dBodyID link = i < 8 ? box(0.125 + 0.25 * i, 5, 5, 0.25, 0.05, 0.05, 1600)

@@ -175,7 +175,7 @@ void AMotor::emit(RowWriter& out)
     // do. (ODE tests the angle as read and so drives the body away from the range.)
     const Real sense = reverse && mode == dAMotorEuler ? Real(-1) : Real(1);
     for (int i = 0; i < count; ++i) motor[i].emit_angular(*this, out, a[i], sense * angle[i]);
-    if (mode != dAMotorEuler) out.mark_told();
+    if (mode != dAMotorEuler) out.mark_given();
 }
 
 namespace {

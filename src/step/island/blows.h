@@ -12,7 +12,7 @@
 // the world by solve/substeps/manifold_math.inc.
 #pragma once
 
-#include "step/island/assemble.h"
+#include "step/island/problem/assemble.h"
 
 namespace epode {
 

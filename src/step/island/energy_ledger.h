@@ -27,7 +27,7 @@
 
 #include "ode/report.h"
 #include "solve/common/velocities.h"
-#include "step/island/assemble.h"
+#include "step/island/problem/assemble.h"
 
 namespace epode {
 

@@ -18,10 +18,10 @@
 #include "rows/policy.h"
 #include "rows/separating.h"
 #include "solve/common/substep_rows.h"
+#include "step/island/positions/shake.h"
+#include "step/island/positions/tension.h"
 #include "step/island/prompt_forces.h"
-#include "step/island/shake.h"
 #include "step/island/substeps.h"
-#include "step/island/tension.h"
 #include "step/island/write_back.h"
 
 namespace epode {

@@ -6,9 +6,9 @@
 
 #include "solve/solver.h"
 #include "step/common/undo.h"
-#include "step/island/assemble.h"
 #include "step/island/energy_ledger.h"
-#include "step/island/projection.h"
+#include "step/island/positions/projection.h"
+#include "step/island/problem/assemble.h"
 
 namespace epode {
 
@@ -27,7 +27,7 @@ class ExactSubsteps {
     void map(RowSystem& system) const;
     // Before `first` is solved: the program's forces move what they can at once (step/island/prompt_forces.h).
     void kick(IslandWork& first, Real warm_share);
-    // `first` has been solved, with raised inertias or not (step/island/tension.h): moves the bodies by it, then makes the other n - 1 substeps. Its contacts get
+    // `first` has been solved, with raised inertias or not (step/island/positions/tension.h): moves the bodies by it, then makes the other n - 1 substeps. Its contacts get
     // the impulses of the last substep. False: a solution that is not finite, or out of memory; undo() must
     // follow.
     bool run(IslandWork& first, bool raised, const SolverSettings& settings, SolveReport& report,

@@ -16,8 +16,8 @@
 // the first substep, like a kick.
 #pragma once
 
-#include "step/island/assemble.h"
 #include "step/island/free_flight.h"
+#include "step/island/problem/assemble.h"
 
 namespace epode {
 

@@ -9,8 +9,8 @@
 
 #include "ode/report.h"
 #include "step/common/continuous.h"
-#include "step/island/assemble.h"
-#include "step/island/projection.h"
+#include "step/island/positions/projection.h"
+#include "step/island/problem/assemble.h"
 
 namespace epode {
 

@@ -15,7 +15,7 @@
 // in its next steps (step/hybrid.h); a false alarm costs time only.
 #pragma once
 
-#include "step/island/assemble.h"
+#include "step/island/problem/assemble.h"
 
 namespace epode {
 

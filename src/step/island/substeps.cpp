@@ -9,7 +9,7 @@
 
 #include "dynamics/integrate.h"
 #include "joints/drive_rows.h"
-#include "step/island/assemble.h"
+#include "step/island/problem/assemble.h"
 #include "tasks/prefetched.h"
 
 namespace epode {

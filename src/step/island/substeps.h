@@ -7,7 +7,7 @@
 #include "base/arena.h"
 #include "rows/row_system.h"
 #include "solve/substeps/body_kernels.h"
-#include "step/island/assemble.h"
+#include "step/island/problem/assemble.h"
 #include "step/island/prompt_forces.h"
 #include "tasks/tasks.h"
 
@@ -15,7 +15,7 @@ namespace epode {
 
 class SubstepModel {
   public:
-    // `info` is that of the whole step. `tension`: inertias of the solver may be raised (step/island/tension.h).
+    // `info` is that of the whole step. `tension`: inertias of the solver may be raised (step/island/positions/tension.h).
     // `borne`: of each body, or none; what is left of the program's force (step/island/prompt_forces.h).
     SubstepModel(IslandWork& work, const World& world, const StepInfo& info, bool tension,
                  std::span<const BorneForce> borne, const Tasks& tasks)

@@ -4,7 +4,7 @@
 // From a solved island back to what the user holds.
 #pragma once
 
-#include "step/island/assemble.h"
+#include "step/island/problem/assemble.h"
 
 namespace epode {
 

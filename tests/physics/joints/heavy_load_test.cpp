@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // A wrecking ball: links of 0.3 m and 1 kg, let go level, with a ball up to a hundred thousand times as heavy at their end. Loaded
-// links swing faster than a step can follow (step/island/tension.cpp), and chains used to fly apart within a second, as ODE's do.
+// links swing faster than a step can follow (step/island/positions/tension.cpp), and chains used to fly apart within a second, as ODE's do.
 // A chain does not become longer, joints do no work, so no energy is gained, and the ball reaches its lowest point when a pendulum
 // does.
 #include <algorithm>

@@ -314,7 +314,7 @@ TEST_P(WhippedChain, stays_closed_at_every_mass_ratio)
 
 INSTANTIATE_TEST_SUITE_P(Ratios, WhippedChain, testing::Values(1., 10., 100., 1e4, 1e6));
 
-// The impulses of the step close the joints (step/island/shake.h): what bodies have moved is what their velocities say, without a correction.
+// The impulses of the step close the joints (step/island/positions/shake.h): what bodies have moved is what their velocities say, without a correction.
 TEST_F(Projection, velocities_lead_to_where_joints_are_closed)
 {
     dBodyID a = sim.body({0.5, 0, 0}), b = sim.body({1.5, 0, 0});

@@ -150,7 +150,7 @@ TEST(Swings, of_loads_gain_nothing)
                     EXPECT_LT(mean, 1.01 * start) << links << " links, load " << load << ", h = " << h;
                     mean = 0;
                 }
-                EXPECT_LT(largest, (1.05 + 6 * h) * start)
+                EXPECT_LT(largest, (1.05 + 8 * h) * start)
                     << links << " links, load " << load << ", h = " << h;
             }
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
-#include "step/island/shake.h"
+#include "step/island/positions/shake.h"
 
 #include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
 #include "joints/drive_rows.h"
 #include "solve/exact/equalities.h"
 #include "solve/solver.h"
-#include "step/island/position_rows.h"
+#include "step/island/positions/position_rows.h"
 
 namespace epode {
 namespace {
@@ -117,7 +117,7 @@ class Shake {
 
     bool is_closed(const Row& row, const RowBlock& block) const
     {
-        return !block.contact && is_equality(row) && !row.told && !is_spring(row, block, work_.system);
+        return !block.contact && is_equality(row) && !row.given && !is_spring(row, block, work_.system);
     }
 
     Real expected_error(const Row& row, const RowBlock& block) const

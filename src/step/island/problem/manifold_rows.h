@@ -5,7 +5,7 @@
 // is bounded in two directions then, since rows know no discs.
 #pragma once
 
-#include "step/island/assemble.h"
+#include "step/island/problem/assemble.h"
 
 namespace epode {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
-#include "step/island/slip_friction.h"
+#include "step/island/problem/slip_friction.h"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
-#include "step/island/manifold_rows.h"
+#include "step/island/problem/manifold_rows.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "step/island/slip_friction.h"
+#include "step/island/problem/slip_friction.h"
 #include "tasks/prefetched.h"
 
 namespace epode {

@@ -5,7 +5,7 @@
 // and what is written stays contiguous. Contacts become manifolds, without rows, where the solver takes them.
 // Forces of joints (a motor against its stop) must be in the accumulators before v* is formed, so rows come
 // first.
-#include "step/island/assemble.h"
+#include "step/island/problem/assemble.h"
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@
 #include "joints/joint_manifolds.h"
 #include "rows/policy.h"
 #include "rows/wrench.h"
-#include "step/island/manifold_rows.h"
+#include "step/island/problem/manifold_rows.h"
 #include "tasks/prefetched.h"
 
 namespace epode {

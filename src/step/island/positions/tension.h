@@ -4,7 +4,7 @@
 // What loaded joints add to the inertia of the bodies that they hold.
 #pragma once
 
-#include "step/island/assemble.h"
+#include "step/island/problem/assemble.h"
 
 namespace epode {
 

@@ -26,7 +26,7 @@
 // damped velocities, which takes four times the energy from a swinging chain; spins as large as the momentum
 // that they had, which tears as many; and position correction alone, whose Newton steps do not converge on
 // such poses.
-#include "step/island/tension.h"
+#include "step/island/positions/tension.h"
 
 #include <algorithm>
 #include <cmath>

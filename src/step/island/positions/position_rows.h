@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "step/island/assemble.h"
+#include "step/island/problem/assemble.h"
 
 namespace epode {
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "solve/exact/factor/symbolic_cache.h"
-#include "step/island/assemble.h"
+#include "step/island/problem/assemble.h"
 #include "tasks/tasks.h"
 
 namespace epode {

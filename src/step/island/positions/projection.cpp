@@ -8,7 +8,7 @@
 //
 // which is the box problem of a step with v* = 0, c = e, so the exact solver solves it, redundant and
 // one-sided rows included; rows that contradict each other it leaves at their least squares. M contains the
-// joints' tension (step/island/tension): with the bare masses the metric would rather fold light links than move the
+// joints' tension (step/island/positions/tension): with the bare masses the metric would rather fold light links than move the
 // load by what their shortening needs, and Newton's steps do not get there. l is a row's lever, so a
 // tolerance is relative. No accepted step makes the errors worse; what is not accepted is taken back.
 //
@@ -21,11 +21,11 @@
 // pile that is wedged pushes itself apart for ever. They keep half the tolerance, so that they are found
 // again.
 //
-// Joints are closed by the impulses of the step itself (step/island/shake.h). Here their rows only hold them while bodies are parted;
+// Joints are closed by the impulses of the step itself (step/island/positions/shake.h). Here their rows only hold them while bodies are parted;
 // where SHAKE leaves a joint open by more than kLongTurn of its levers, these poses close it.
 //
 // Rotors of drives are part of M: each is a row that holds nothing, J dx + p/I = 0.
-#include "step/island/projection.h"
+#include "step/island/positions/projection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,8 +34,8 @@
 #include "joints/drive_rows.h"
 #include "rows/policy.h"
 #include "solve/exact/equalities.h"
-#include "step/island/position_rows.h"
-#include "step/island/tension.h"
+#include "step/island/positions/position_rows.h"
+#include "step/island/positions/tension.h"
 
 namespace epode {
 namespace {
@@ -135,14 +135,14 @@ class Projection {
                     continue;
                 }
                 if (!holds_position(row, block)) continue;
-                const bool follows = i >= out.count() || row.told;
+                const bool follows = i >= out.count() || row.given;
                 const bool turns = row.lin1 == Vec3{} && row.lin2 == Vec3{};
                 Hold& hold = holds_[std::size_t(rows)];
                 hold = {block.first + i, 0, turns ? Real(1) : per_arm, follows};
                 hold.error = follows ? row.error - motion(row, block) : now[i].error;
                 one_sided_ |= row.lo == 0 || row.hi == 0;
                 if (row.kind == RowKind::kNormal) {
-                    // An open point of a manifold has its gap as a velocity (step/island/manifold_rows).
+                    // An open point of a manifold has its gap as a velocity (step/island/problem/manifold_rows).
                     if (k >= work_.joints.size()) hold.error += work_.system.h * std::min(row.speed, Real(0));
                     hold.error -= world_.projection_tolerance / 2 / per_arm;
                     const Real share = std::min(row.erp, Real(1));
