@@ -368,7 +368,8 @@ TEST(FreshFailing, crane_that_lifts_a_ship_with_thin_links)
 {
     Sim sim;
     dWorldSetDiagnosisMode(sim.world, 1);
-    dWorldSetBehaviour(sim.world, dBehaviour016);  // the newest holds them (step/island/positions/tension.cpp)
+    dWorldSetBehaviour(sim.world,
+                       dBehaviour016);  // the newest holds them (step/island/positions/tension.cpp)
     sim.gravity(0, 0, -9.81);
     dBodyID before = nullptr;
     for (int i = 0; i < 7; ++i) {

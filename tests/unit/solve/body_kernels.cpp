@@ -38,6 +38,7 @@ class Fleet {
     }
     ~Fleet() { dWorldDestroy(world_); }
 
+    const World& world() const { return *from_handle<World>(world_); }
     IslandWork& work() { return work_; }
     std::vector<Body*>& bodies() { return bodies_; }
     std::vector<SolverBody>& solver() { return solver_; }
@@ -82,7 +83,7 @@ TEST(BodyLanes, move_bodies_to_the_bit_as_they_move_one_by_one)
         Fleet together(seed), alone(seed);
         constexpr Real kStep = Real(0.004);
         Arena arena;
-        SubstepModel model(together.work(), {}, false, Tasks(3));
+        SubstepModel model(together.work(), together.world(), {}, false, {}, Tasks(3));
         ASSERT_TRUE(model.prepare(arena));
         const Substeps calls = model.callbacks();
         std::vector<Velocity> v(kBodies + 1);
