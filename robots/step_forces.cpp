@@ -9,6 +9,8 @@
 // bounds the eigenvalues. Stiffer ones are as stiff as that, weaker ones are as they are.
 // A limit is a force that takes L to it within the step, as far as it alone can tell: F <= (high - L - h V) / (h^2 S), and so with the
 // lower one. Under a load that would accelerate L by a it gives way by a h^2.
+#include <ode/ext.h>
+
 #include <algorithm>
 #include <numeric>
 
