@@ -15,9 +15,7 @@ namespace epode::scenes {
 
 namespace {
 
-Vec vec(const dReal* v) { return {double(v[0]), double(v[1]), double(v[2])}; }
 void store(double out[3], Vec v) { out[0] = v.x, out[1] = v.y, out[2] = v.z; }
-Vec load(const double v[3]) { return {v[0], v[1], v[2]}; }
 
 Vec rows_times(const dReal* m, Vec v)
 {
@@ -186,8 +184,8 @@ Quality RunRecord::observe(const Scene& scene)
                              std::abs(last.energy() - first.energy())});
     energy_peak_rise = std::max(energy_peak_rise, last.energy() - first.energy());
     const Vec impulse = (last.mass * scene.time()) * gravity_of(scene.world());
-    momentum_drift = std::max(momentum_drift, length(load(last.momentum) - load(first.momentum) - impulse));
-    spin_drift = std::max(spin_drift, length(load(last.spin) - load(first.spin)));
+    momentum_drift = std::max(momentum_drift, length(vec(last.momentum) - vec(first.momentum) - impulse));
+    spin_drift = std::max(spin_drift, length(vec(last.spin) - vec(first.spin)));
     momentum_scale = std::max(momentum_scale, last.momentum_scale);
     spin_scale = std::max(spin_scale, last.spin_scale);
 

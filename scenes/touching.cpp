@@ -11,12 +11,6 @@
 
 namespace epode::scenes {
 
-namespace {
-
-Vec vec(const double* v) { return {v[0], v[1], v[2]}; }
-
-}  // namespace
-
 void Touching::remember(const Scene& scene)
 {
     for (dBodyID body : scene.bodies()) {

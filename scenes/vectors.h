@@ -15,6 +15,12 @@ namespace epode::scenes {
 struct Vec {
     double x = 0, y = 0, z = 0;
 };
+// Of three numbers in a row, dReals or doubles.
+template <class Number>
+Vec vec(const Number* v)
+{
+    return {double(v[0]), double(v[1]), double(v[2])};
+}
 inline Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Vec operator*(double s, Vec a) { return {s * a.x, s * a.y, s * a.z}; }

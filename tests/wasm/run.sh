@@ -10,7 +10,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=$PWD/build/wasm
-cmake --preset wasm -DEPODE_BY_FOLDER=ON >/dev/null
+cmake --preset wasm >/dev/null
 programs=(golden_tests)
 [ "${1:-}" = --golden ] || programs+=(unit_tests contract_tests physics_tests state_tests)
 cmake --build --preset wasm --target ode epode_module "${programs[@]}"

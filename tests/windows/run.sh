@@ -10,7 +10,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 export WINEDEBUG=-all WINEPREFIX="$PWD/build/wine"
 build=build/windows
-cmake --preset windows -DEPODE_BY_FOLDER=ON >/dev/null
+cmake --preset windows >/dev/null
 programs=(golden_tests)
 [ "${1:-}" = --golden ] || programs+=(unit_tests contract_tests physics_tests state_tests)
 cmake --build --preset windows --target ode ode_single "${programs[@]}"
