@@ -27,15 +27,16 @@ Verdict fcl_opinion(const Solid& a, const Solid& b);
 struct NamedOpinion {
     const char* name;
     Opinion ask;
+    const char* absent;  // the kind of solid that it has no shape for, or ""
     int misses;  // of ten thousand poses at most, known to be its own: another opinion is with the library
 };
 
 inline constexpr NamedOpinion kOpinions[] = {
 #ifdef EPODE_WITH_CCD
-    {"libccd", ccd_opinion, 1},  // spheres
+    {"libccd", ccd_opinion, "", 1},  // spheres
 #endif
 #ifdef EPODE_WITH_FCL
-    {"libfcl", fcl_opinion, 5},  // polyhedra
+    {"libfcl", fcl_opinion, "tapered", 5},  // polyhedra
 #endif
 };
 

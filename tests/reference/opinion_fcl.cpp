@@ -35,6 +35,14 @@ Shape shape_of(dGeomID geom)
 {
     dVector3 sides;
     dReal radius, length;
+    if (dGeomGetClass(geom) == dConeClass) {
+        dGeomConeGetParams(geom, &radius, &length);
+        return std::make_shared<fcl::Coned>(double(radius), double(length));
+    }
+    if (dGeomGetClass(geom) == dEllipsoidClass) {
+        dGeomEllipsoidGetRadii(geom, sides);
+        return std::make_shared<fcl::Ellipsoidd>(double(sides[0]), double(sides[1]), double(sides[2]));
+    }
     switch (dGeomGetClass(geom)) {
         case dSphereClass:
             return std::make_shared<fcl::Sphered>(double(dGeomSphereGetRadius(geom)));
@@ -52,12 +60,22 @@ Shape shape_of(dGeomID geom)
     }
 }
 
+// The origin of libfcl's cone is half way up, ours in its centre of mass, a quarter of the way.
+double origin_above(dGeomID geom)
+{
+    if (dGeomGetClass(geom) != dConeClass) return 0;
+    dReal radius, length;
+    dGeomConeGetParams(geom, &radius, &length);
+    return double(length) / 4;
+}
+
 fcl::CollisionObjectd object_of(const Solid& solid)
 {
     const dReal *p = dGeomGetPosition(solid.geom()), *r = dGeomGetRotation(solid.geom());
+    const double above = origin_above(solid.geom());
     fcl::Transform3d pose = fcl::Transform3d::Identity();
     for (int i = 0; i < 3; ++i) {
-        pose.translation()[i] = double(p[i]);
+        pose.translation()[i] = double(p[i]) + above * double(r[4 * i + 2]);
         for (int j = 0; j < 3; ++j) pose.linear()(i, j) = double(r[4 * i + j]);
     }
     return {shape_of(solid.geom()), pose};

@@ -94,6 +94,8 @@ bool compare_all(const NamedOpinion& opinion, int poses)
     const auto& kinds = epode::reference::kKinds;
     for (std::size_t i = 0; i + 1 < std::size(kinds); ++i)  // planes have no farthest point
         for (std::size_t j = i; j + 1 < std::size(kinds); ++j) {
+            if (std::strcmp(kinds[i], opinion.absent) == 0 || std::strcmp(kinds[j], opinion.absent) == 0)
+                continue;
             const Tally t = run(kinds[i], kinds[j], opinion.ask, poses);
             std::printf("%-20s%8d%8d%8d%8.2f%%%9d%8d%12.1e\n",
                         (std::string(kinds[i]) + "-" + kinds[j]).c_str(), poses, t.hits, t.wrong,
