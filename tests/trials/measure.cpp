@@ -15,16 +15,15 @@ dMass mass_of(dBodyID body)
     return mass;
 }
 
-// About its centre, in the world's axes.
-Vec own_angular_momentum(dBodyID body)
+// About its centre, in the world's axes, if the body was turned like this.
+Vec own_angular_momentum(dBodyID body, Turn q)
 {
     const dMass mass = mass_of(body);
-    dVector3 local, turned, back;
-    const dReal* w = dBodyGetAngularVel(body);
-    dBodyVectorFromWorld(body, w[0], w[1], w[2], local);
+    const Vec w = rotate(inverse(q), spin(body));
+    const dVector3 local = {dReal(w.x), dReal(w.y), dReal(w.z)};
+    dVector3 turned;
     dMultiply0_331(turned, mass.I, local);
-    dBodyVectorToWorld(body, turned[0], turned[1], turned[2], back);
-    return vec(back);
+    return rotate(q, vec(turned));
 }
 
 }  // namespace
@@ -39,7 +38,7 @@ std::vector<dBodyID> bodies_of(dWorldID world)
 double kinetic_energy(dBodyID body)
 {
     return 0.5 * mass_of(body).mass * dot(velocity(body), velocity(body)) +
-           0.5 * dot(spin(body), own_angular_momentum(body));
+           0.5 * dot(spin(body), own_angular_momentum(body, orientation(body)));
 }
 
 double kinetic_energy(const Stage& stage)
@@ -65,9 +64,11 @@ Vec momentum(const Stage& stage)
     return sum;
 }
 
-Vec angular_momentum(dBodyID body)
+Vec angular_momentum(dBodyID body) { return angular_momentum(body, position(body), orientation(body)); }
+
+Vec angular_momentum(dBodyID body, Vec at, Turn q)
 {
-    return own_angular_momentum(body) + double(mass_of(body).mass) * cross(position(body), velocity(body));
+    return own_angular_momentum(body, q) + double(mass_of(body).mass) * cross(at, velocity(body));
 }
 
 Vec angular_momentum(const Stage& stage)

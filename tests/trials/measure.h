@@ -14,7 +14,9 @@ double kinetic_energy(const Stage& stage);
 double potential_energy(const Stage& stage);  // -sum m g.x
 inline double energy(const Stage& stage) { return kinetic_energy(stage) + potential_energy(stage); }
 Vec momentum(const Stage& stage);
-Vec angular_momentum(dBodyID body);         // about the origin
+Vec angular_momentum(dBodyID body);  // about the origin
+// The same if the body lay there.
+Vec angular_momentum(dBodyID body, Vec at, Turn q);
 Vec angular_momentum(const Stage& stage);
 double total_mass(const Stage& stage);
 // How far the anchors of a ball joint or hinge are apart.

@@ -20,9 +20,9 @@ three step sizes, and with sleeping allowed and not. The tables are made by one 
 | column | parameters | contacts | step |
 |---|---|---|---|
 | ode exact, ode quick | `dDefaultsOde` | joints made in a near callback | `dWorldStep`, `dWorldQuickStep` |
-| exact, quick, substeps | `dDefaultsOde` | world-managed | `dWorldStep`, `dWorldQuickStep`, `dWorldStepFast1(world, h, 4)` |
-| game | `dDefaultsGame` | world-managed | `dWorldStepHybrid` |
-| robot | `dDefaultsRobot` | world-managed | `dWorldStepHybrid` |
+| exact, quick, substeps | `dDefaultsOde` | world-managed contacts | `dWorldStep`, `dWorldQuickStep`, `dWorldStepFast1(world, h, 4)` |
+| game | `dDefaultsGame` | world-managed contacts | `dWorldStepHybrid` |
+| robot | `dDefaultsRobot` | world-managed contacts | `dWorldStepHybrid` |
 
 A cell is one figure: how far the scene is off the law, in the unit of its row; the row names the bound. After a slash stands the figure with
 sleeping allowed, where it differs. A **bold** figure exceeds the bound, and its letter is the reason, [below](#reasons). A figure with a number

@@ -55,6 +55,7 @@ struct Scene {
     void (*run)(Run&);
     // What no setting changes: queries, refusals. Runs once.
     bool one_setting = false;
+    bool takes_long = false;  // ctest leaves it to scripts/nightly
 
     const Law* law(const std::string& name) const;
 };

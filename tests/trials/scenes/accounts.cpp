@@ -26,6 +26,7 @@ struct Tumbler {
     }
     void compare(double h)
     {
+        if (!dBodyIsEnabled(body)) return;  // what falls asleep loses its velocity without a force
         const Vec moved = kMass * (velocity(body) - v), turned = kMoment * (spin(body) - w);
         unexplained = std::max(unexplained, length(moved - h * (force + kMass * Vec{0, 0, -kGravity})));
         unexplained_turn = std::max(unexplained_turn, length(turned - h * torque));

@@ -8,7 +8,7 @@ namespace epode::trials {
 
 namespace {
 
-constexpr double kFloor = 1e-4;  // a smaller error is compared with nothing
+constexpr double kFloor = 1e-3;  // a smaller error is compared with nothing
 
 double reference_error(const Run& run, EnergyError error, Vec gravity)
 {

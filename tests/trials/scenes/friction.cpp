@@ -187,11 +187,11 @@ extern const Scene kSlideOut{
     "Rolling and sliding",
     "slide_out",
     "slabs at 3 m/s slide out in six directions, mu 0.4; one spins out at 6 rad/s; then with a contact joint in the island",
-    {{"way", "way, off v^2 / (2 mu g)", "%", &way_bound, {{kCallback, 30, kPyramidReason}}},
-     {"aside", "way aside", "%", 0.5, {{kCallback, 10, kPyramidReason}}},
+    {{"way", "way, off v^2 / (2 mu g)", "%", &way_bound, {{kCallback, 35, kPyramidReason}}},
+     {"aside", "way aside", "%", 0.5, {{kCallback, 20, kPyramidReason}}},
      {"yaw", "turn of the slab that spins, off that with its weight at the corners", "%", 5, {{kCallback, 30, kPyramidReason}}},
-     {"mixed", "way with a contact joint, off the law", "%", &way_bound, {{kCallback, 30, kPyramidReason}}},
-     {"mixed_aside", "way aside with it", "%", 0.5, {{kCallback, 10, kPyramidReason}}}},
+     {"mixed", "way with a contact joint, off the law", "%", &way_bound, {{kCallback, 35, kPyramidReason}}},
+     {"mixed_aside", "way aside with it", "%", 0.5, {{kCallback, 20, kPyramidReason}}}},
     &slide_out_all};
 
 }  // namespace epode::trials

@@ -77,7 +77,7 @@ double arm_error(Stage& stage)
     return energy_error(stage, 10, 2 * kGravity * 0.75);
 }
 
-double arm_bound(const Setting& setting) { return setting.step_size == 0 ? 50 : setting.step_size == 1 ? 5 : 0.5; }
+double arm_bound(const Setting& setting) { return setting.step_size == 0 ? 50 : setting.step_size == 1 ? 15 : 0.5; }
 
 void run_arm(Run& run) { record_energy(run, &arm_error); }
 
@@ -90,6 +90,8 @@ double stone_error(Stage& stage)
     dMass mass;
     dMassSetParameters(&mass, 1, 0, 0, 0, 0.04, 0.2, 0.21, 0.02, 0, 0);
     const dBodyID stone = stage.body(dCreateEllipsoid(stage.space, 1, 0.3, 0.2), mass, {0, 0, 0.2});
+    stage.advance(1);  // into the surface layer
+    dBodyEnable(stone);
     set_velocity(stone, {}, {0.05, 0.05, -5});
     return energy_error(stage, 5, kinetic_energy(stage));
 }

@@ -28,6 +28,9 @@ void swing(Run& run)
     });
 }
 
+// (w h)^2/2 of the lever of a metre; the bars reach 25 rad/s.
+double gap_bound(const Setting& setting) { return 1000 * std::pow(25 * setting.h(), 2) / 2; }
+double swept_gap_bound(const Setting& setting) { return std::max(20.0, gap_bound(setting)); }
 double gain_bound(const Setting& setting) { return setting.step_size == 2 ? 2 : 1; }
 double loss_bound(const Setting& setting) { return setting.step_size == 2 ? 2 : 50; }
 
@@ -84,7 +87,8 @@ extern const Scene kDoublePendulum{"Machines",
                                    "two bars of 2 m on a hinge and a ball joint, 300 s, in steps of 1 ms 30 s (C23)",
                                    {{"gain", "gain of energy, of m g L", "%", &gain_bound},
                                     {"loss", "loss in the first 30 s", "%", &loss_bound},
-                                    {"gap", "opening of a joint", "mm", 2, {{kSweeps | Method::kSubsteps, 20, "Sweeps leave errors in joints (guide/steppers.md)"}}}},
+                                    {"gap", "opening of a joint", "mm", 2, {{kSweeps | Method::kSubsteps, &swept_gap_bound, "Sweeps leave errors in joints (guide/steppers.md)"},
+                                                                         {kAll & ~set_of(Method::kRobot), &gap_bound, "Without projection joints open by (w h)^2/2 of the lever (guide/stability.md)"}}}},
                                    &swing};
 
 extern const Scene kTrees{"Machines",

@@ -3,6 +3,7 @@
 //
 // What is put down at rest on a level floor stays where it is.
 #include "measure.h"
+#include "surfaces.h"
 
 #include <algorithm>
 
@@ -61,16 +62,20 @@ void stay(Run& run)
     watch(run, stage, 8, "car", "car_moved");
 }
 
-// A battery on a table of a box and of two triangles.
+// A battery on a table of a box, and of two triangles.
 void lie(Run& run)
 {
     constexpr double kRadius = 0.007, kLength = 0.05, kGap = 0.002;
     const Turn flat = turn(kZ, 30 * kPi / 180) * turn(kY, kPi / 2);
-    for (int shape = 0; shape < 3; ++shape) {
+    for (int trial = 0; trial < 6; ++trial) {
+        const int shape = trial % 3;
         Stage stage(run);
         stage.toys();
         stage.surface.friction = 0.8;
-        stage.block({1, 1, 0.05}, {0, 0, -0.025});
+        if (trial < 3)
+            stage.block({1, 1, 0.05}, {0, 0, -0.025});
+        else  // the diagonal runs below the body
+            mesh(stage, {{-0.5, -0.25, 0}, {0.5, -0.5, 0}, {0.5, 0.25, 0}, {-0.5, 0.5, 0}}, {0, 1, 2, 0, 2, 3});
         const Vec at{0.1, 0.05, kRadius + kGap};
         const dBodyID body = shape == 0   ? stage.cylinder(kRadius, kLength, 0.023, at, flat)
                              : shape == 1 ? stage.capsule(kRadius, kLength - 2 * kRadius, 0.023, at, flat)

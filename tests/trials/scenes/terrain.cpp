@@ -91,16 +91,40 @@ void fall_on_peak(Run& run, bool field)
     });
 }
 
+// Along the outermost row of cells and out over the border.
+void roll_out(Run& run, bool field)
+{
+    Stage stage(run);
+    stage.bodies_meet = false;
+    const Height level = [](double, double) { return 0.0; };
+    const Grid grid{-5, -5, 10, 10, 1};
+    field ? height_field(stage, grid, level) : grid_mesh(stage, grid, level);
+    std::vector<Fallen> list;
+    for (double radius : {0.05, 0.3}) {
+        for (double y : {4.6, 4.9}) {
+            list.push_back({stage.ball(radius, 1, {3.2, y, radius}), radius});
+            set_velocity(list.back().body, {1, 0, 0}, {0, 1 / radius, 0});
+        }
+    }
+    stage.advance(2.2, [&] {
+        for (const Fallen& each : list) {
+            const Vec at = position(each.body);
+            if (at.x < 5) run.record("through", at.z < 0.9 * each.radius ? 1 : 0);
+        }
+    });
+}
+
 void fall_on_edges(Run& run)
 {
     for (bool field : {true, false}) {
         fall_on_roof(run, field);
         fall_on_peak(run, field);
+        roll_out(run, field);
     }
 }
 
 // What falls 0.1 m is found so deep in a slope of 45 degrees.
-double impact_depth(const Setting& setting) { return 1000 * 1.4 / kRoot2 * setting.h() + 1; }
+double impact_depth(const Setting& setting) { return 1000 * 1.6 / kRoot2 * setting.h() + 1; }
 // A quarter of the radius less a twentieth, of the largest that is continuous.
 double continuous_depth(const Setting& setting)
 {
@@ -219,7 +243,7 @@ extern const Scene kEdges{"Surfaces",
                             0,
                             {{kCallback, &impact_depth, "Contact joints act once bodies overlap (guide/reports.md)"},
                              {kAll, &continuous_depth, "Continuous bodies stop an eighth of their thickness deep (guide/continuous.md)"}}},
-                           {"through", "balls that fell through a peak", "1", 0}},
+                           {"through", "balls that fell through a peak, or before they left the border", "1", 0}},
                           &fall_on_edges};
 
 extern const Scene kSlopes{"Surfaces",
@@ -234,7 +258,10 @@ extern const Scene kHole{"Surfaces",
                          "hole",
                          "a ball of 0.6 m lies on a hole of 0.5 m in a mesh, 4 s",
                          {{"rejected", "height where a callback rejects the triangles, off the closed form", "mm", 1},
-                          {"missing", "height where the triangles are missing", "mm", 1}},
+                          {"missing", "height where the triangles are missing",
+                           "mm",
+                           1,
+                           {{set_of(Method::kSubsteps), 1.5, "What settles keeps a millimetre (guide/sleeping.md)"}}}},
                          &lie_on_holes};
 
 }  // namespace epode::trials
