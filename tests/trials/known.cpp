@@ -18,7 +18,10 @@ constexpr double kMargin = 1.25;
 
 int column_of(const Setting& setting) { return setting.step_size + (setting.sleep ? kStepSizeCount : 0); }
 
-std::string name_of_law(const Scene& scene, const Law& law) { return std::string(scene.name) + "." + law.name; }
+std::string name_of_law(const Scene& scene, const Law& law)
+{
+    return std::string(scene.name) + "." + law.name;
+}
 
 std::vector<std::string> fields_of(const std::string& text)
 {
@@ -59,14 +62,16 @@ void Known::read(const std::string& text)
         reasons_.emplace_back(fields[1], fields[2]);
         return;
     }
-    if (fields.size() != 10 || fields[0] != "fails") throw std::runtime_error("neither a reason nor a line of ten fields");
+    if (fields.size() != 10 || fields[0] != "fails")
+        throw std::runtime_error("neither a reason nor a line of ten fields");
     Line line{fields[1], fields[2], fields[3], {}};
     const size_t dot = line.law.find('.');
     const Scene* scene = scene_named(line.law.substr(0, dot));
     if (!scene || dot == std::string::npos || !scene->law(line.law.substr(dot + 1)))
         throw std::runtime_error("no law " + line.law);
     const auto named = [&](const auto& reason) { return reason.first == line.reason; };
-    if (std::none_of(reasons_.begin(), reasons_.end(), named)) throw std::runtime_error("no reason " + line.reason);
+    if (std::none_of(reasons_.begin(), reasons_.end(), named))
+        throw std::runtime_error("no reason " + line.reason);
     for (size_t i = 0; i < 6; ++i) line.ceilings[i] = fields[4 + i] == "-" ? kGood : std::stod(fields[4 + i]);
     lines_.push_back(line);
 }
@@ -94,9 +99,11 @@ void Known::write(const std::vector<Result>& results, const std::string& path) c
 {
     std::vector<Line> lines = lines_;
     const auto cell_of = [&](const Result& result, const Law& law, bool create) -> double* {
-        const std::string name = name_of_law(*result.cell.scene, law), method = name_of(result.cell.setting.method);
+        const std::string name = name_of_law(*result.cell.scene, law),
+                          method = name_of(result.cell.setting.method);
         for (Line& line : lines)
-            if (line.law == name && line.method == method) return &line.ceilings[column_of(result.cell.setting)];
+            if (line.law == name && line.method == method)
+                return &line.ceilings[column_of(result.cell.setting)];
         if (!create) return nullptr;
         lines.push_back({name, method, "new", {kGood, kGood, kGood, kGood, kGood, kGood}});
         return &lines.back().ceilings[column_of(result.cell.setting)];
@@ -131,11 +138,13 @@ std::string fault_of(const Known& known, const Result& result, const Law& law)
     char text[160];
     if (figure <= bound && ceiling < 0) return "";
     if (figure <= bound)
-        std::snprintf(text, sizeof text, "now good (%.3g %s): remove the ceiling from known.tsv", figure, law.unit);
+        std::snprintf(text, sizeof text, "now good (%.3g %s): remove the ceiling from known.tsv", figure,
+                      law.unit);
     else if (ceiling < 0)
         std::snprintf(text, sizeof text, "%.3g %s, at most %.3g", figure, law.unit, bound);
     else if (figure > ceiling)
-        std::snprintf(text, sizeof text, "%.3g %s, worse than the %.3g that known.tsv has", figure, law.unit, ceiling);
+        std::snprintf(text, sizeof text, "%.3g %s, worse than the %.3g that known.tsv has", figure, law.unit,
+                      ceiling);
     else
         return "";
     return name_of_law(*result.cell.scene, law) + ", " + text_of(setting) + ": " + text;

@@ -62,16 +62,26 @@ Options read(int argc, char** argv)
     };
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
-        if (word == "--quick") options.quick = true;
-        else if (word == "--accept") options.accept = true;
-        else if (word == "--jobs") options.pool.jobs = std::stoi(value(i));
-        else if (word == "--seconds") options.pool.seconds = std::stoi(value(i));
-        else if (word == "--json") options.json = value(i);
-        else if (word == "--from") options.from = value(i);
-        else if (word == "--write") options.write = value(i);
-        else if (word == "--known") options.known = value(i);
-        else if (options.command.empty()) options.command = word;
-        else list_for(options, word).push_back(word);
+        if (word == "--quick")
+            options.quick = true;
+        else if (word == "--accept")
+            options.accept = true;
+        else if (word == "--jobs")
+            options.pool.jobs = std::stoi(value(i));
+        else if (word == "--seconds")
+            options.pool.seconds = std::stoi(value(i));
+        else if (word == "--json")
+            options.json = value(i);
+        else if (word == "--from")
+            options.from = value(i);
+        else if (word == "--write")
+            options.write = value(i);
+        else if (word == "--known")
+            options.known = value(i);
+        else if (options.command.empty())
+            options.command = word;
+        else
+            list_for(options, word).push_back(word);
     }
     return options;
 }
@@ -112,12 +122,16 @@ void list()
 
 void print(const Result& result)
 {
-    std::printf("%s, %s (%.2f s)%s\n", result.cell.scene->name, text_of(result.cell.setting).c_str(), result.seconds,
-                result.ending == Ending::kTime ? ": took too long" : result.ending == Ending::kCrash ? ": crashed" : "");
+    std::printf("%s, %s (%.2f s)%s\n", result.cell.scene->name, text_of(result.cell.setting).c_str(),
+                result.seconds,
+                result.ending == Ending::kTime    ? ": took too long"
+                : result.ending == Ending::kCrash ? ": crashed"
+                                                  : "");
     if (result.ending == Ending::kDone)
         for (const Law& law : result.cell.scene->laws)
             std::printf("    %-16s %10.4g %-6s at most %-8.3g %s\n", law.name, result.figure(law), law.unit,
-                        law.kept(result.cell.setting), result.figure(law) > law.kept(result.cell.setting) ? "FAILS" : "");
+                        law.kept(result.cell.setting),
+                        result.figure(law) > law.kept(result.cell.setting) ? "FAILS" : "");
     std::fflush(stdout);
 }
 
@@ -139,8 +153,10 @@ int check(const std::vector<Result>& results, const Known& known)
 int run(Options options)
 {
     if (options.command == "list") return list(), 0;
-    const bool known_command = options.command == "run" || options.command == "check" || options.command == "rank";
-    if (!known_command) throw std::runtime_error("commands are list, run, check and rank (tests/trials/main.cpp)");
+    const bool known_command =
+        options.command == "run" || options.command == "check" || options.command == "rank";
+    if (!known_command)
+        throw std::runtime_error("commands are list, run, check and rank (tests/trials/main.cpp)");
     if (options.command == "run") options.pool.done = &print;
     const std::vector<Result> results = results_of(options);
     const Known known(options.known);

@@ -98,9 +98,6 @@ double gap(dJointID joint)
     return length(vec(a) - vec(b));
 }
 
-double degrees_between(Vec a, Vec b)
-{
-    return degrees(std::atan2(length(cross(a, b)), dot(a, b)));
-}
+double degrees_between(Vec a, Vec b) { return degrees(std::atan2(length(cross(a, b)), dot(a, b))); }
 
 }  // namespace epode::trials

@@ -96,8 +96,8 @@ std::vector<Result> run_cells(const std::vector<Cell>& cells, const PoolOptions&
         int status = 0;
         rusage used{};
         const pid_t ended = wait4(-1, &status, 0, &used);
-        const auto child =
-            std::find_if(children.begin(), children.end(), [&](const Child& c) { return c.process == ended; });
+        const auto child = std::find_if(children.begin(), children.end(),
+                                        [&](const Child& c) { return c.process == ended; });
         if (child == children.end()) continue;
         collect(*child, status, used, results[child->cell]);
         options.done(results[child->cell]);

@@ -12,8 +12,8 @@
 namespace epode::trials {
 
 struct PoolOptions {
-    int jobs = 0;                 // 0: one for each processor
-    int seconds = 60;             // of CPU that a cell may take
+    int jobs = 0;                                                    // 0: one for each processor
+    int seconds = 60;                                                // of CPU that a cell may take
     std::function<void(const Result&)> done = [](const Result&) {};  // as they end
 };
 

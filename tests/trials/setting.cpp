@@ -6,7 +6,8 @@ namespace epode::trials {
 
 const char* name_of(Method method)
 {
-    constexpr const char* kNames[] = {"ode exact", "ode quick", "exact", "quick", "substeps", "game", "robot"};
+    constexpr const char* kNames[] = {"ode exact", "ode quick", "exact", "quick",
+                                      "substeps",  "game",      "robot"};
     return kNames[int(method)];
 }
 

@@ -60,7 +60,10 @@ class Stage {
     void adopt(dWorldID other, dSpaceID its_space);
     void step();
     int steps_in(double seconds) const { return int(seconds / h + 0.5); }
-    void advance(double seconds) { advance(seconds, [] {}); }
+    void advance(double seconds)
+    {
+        advance(seconds, [] {});
+    }
     template <class AfterStep>
     void advance(double seconds, AfterStep after_step)
     {

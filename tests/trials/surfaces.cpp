@@ -33,7 +33,8 @@ dGeomID height_field(Stage& stage, const Grid& grid, const Height& height)
         }
     }
     const dHeightfieldDataID data = dGeomHeightfieldDataCreate();
-    dGeomHeightfieldDataBuildDouble(data, heights.data(), 1, grid.nx * grid.cell, grid.ny * grid.cell, wide, deep, 1, 0, 1, 0);
+    dGeomHeightfieldDataBuildDouble(data, heights.data(), 1, grid.nx * grid.cell, grid.ny * grid.cell, wide,
+                                    deep, 1, 0, 1, 0);
     dGeomHeightfieldDataSetBounds(data, low, high);
     const Vec centre{grid.x + grid.nx * grid.cell / 2, grid.y + grid.ny * grid.cell / 2, 0};
     return stage.place(dCreateHeightfield(stage.space, data, 1), centre, turn(kX, kPi / 2));
@@ -45,8 +46,8 @@ dTriMeshDataID mesh_data(const std::vector<Vec>& corners, const std::vector<dTri
     for (const Vec& corner : corners) kept.corners.insert(kept.corners.end(), {corner.x, corner.y, corner.z});
     kept.indices = indices;
     const dTriMeshDataID data = dGeomTriMeshDataCreate();
-    dGeomTriMeshDataBuildDouble(data, kept.corners.data(), 3 * sizeof(double), int(corners.size()), kept.indices.data(),
-                                int(indices.size()), 3 * sizeof(dTriIndex));
+    dGeomTriMeshDataBuildDouble(data, kept.corners.data(), 3 * sizeof(double), int(corners.size()),
+                                kept.indices.data(), int(indices.size()), 3 * sizeof(dTriIndex));
     return data;
 }
 
@@ -76,7 +77,8 @@ dGeomID box_mesh(Stage& stage, Vec size, Vec at)
 {
     std::vector<Vec> corners;
     for (int i = 0; i < 8; ++i)
-        corners.push_back({(i & 1 ? 0.5 : -0.5) * size.x, (i & 2 ? 0.5 : -0.5) * size.y, (i & 4 ? 0.5 : -0.5) * size.z});
+        corners.push_back(
+            {(i & 1 ? 0.5 : -0.5) * size.x, (i & 2 ? 0.5 : -0.5) * size.y, (i & 4 ? 0.5 : -0.5) * size.z});
     const std::vector<dTriIndex> indices = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
                                             2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
     const dGeomID geom = mesh(stage, corners, indices);

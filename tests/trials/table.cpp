@@ -10,26 +10,34 @@ namespace epode::trials {
 
 namespace {
 
-const char* kHead = R"(# Quality: laws in every setting
-
-**Which method keeps which law, at which step size?** Scenes with a known right outcome, each run with every stepper, both presets,
-three step sizes, and with sleeping allowed and not. The tables are made by one command, which takes about twenty minutes on two cores:
-
-    cmake --build --preset release --target trials && build/release/bin/trials check --write docs/quality.md
-
-| column | parameters | contacts | step |
-|---|---|---|---|
-| ode exact, ode quick | `dDefaultsOde` | joints made in a near callback | `dWorldStep`, `dWorldQuickStep` |
-| exact, quick, substeps | `dDefaultsOde` | world-managed contacts | `dWorldStep`, `dWorldQuickStep`, `dWorldStepFast1(world, h, 4)` |
-| game | `dDefaultsGame` | world-managed contacts | `dWorldStepHybrid` |
-| robot | `dDefaultsRobot` | world-managed contacts | `dWorldStepHybrid` |
-
-A cell is one figure: how far the scene is off the law, in the unit of its row; the row names the bound. After a slash stands the figure with
-sleeping allowed, where it differs. A **bold** figure exceeds the bound, and its letter is the reason, [below](#reasons). A figure with a number
-exceeds the bound as the guide says that this method does; the [list](#what-methods-cannot) has the weaker bound that it keeps. `time`: the cell
-took too long. A preset's bold cell is a fault of the preset. `tests/trials` has the scenes.
-
-)";
+constexpr const char* kHead =
+    "# Quality: laws in every setting\n"
+    "\n"
+    "**Which method keeps which law, at which step size?** Scenes with a known right outcome, each run with "
+    "every stepper, both presets,\n"
+    "three step sizes, and with sleeping allowed and not. The tables are made by one command, which takes "
+    "about twenty minutes on two cores:\n"
+    "\n"
+    "    cmake --build --preset release --target trials && build/release/bin/trials check --write "
+    "docs/quality.md\n"
+    "\n"
+    "| column | parameters | contacts | step |\n"
+    "|---|---|---|---|\n"
+    "| ode exact, ode quick | `dDefaultsOde` | joints made in a near callback | `dWorldStep`, "
+    "`dWorldQuickStep` |\n"
+    "| exact, quick, substeps | `dDefaultsOde` | world-managed contacts | `dWorldStep`, `dWorldQuickStep`, "
+    "`dWorldStepFast1(world, h, 4)` |\n"
+    "| game | `dDefaultsGame` | world-managed contacts | `dWorldStepHybrid` |\n"
+    "| robot | `dDefaultsRobot` | world-managed contacts | `dWorldStepHybrid` |\n"
+    "\n"
+    "A cell is one figure: how far the scene is off the law, in the unit of its row; the row names the "
+    "bound. After a slash stands the figure with\n"
+    "sleeping allowed, where it differs. A **bold** figure exceeds the bound, and its letter is the reason, "
+    "[below](#reasons). A figure with a number\n"
+    "exceeds the bound as the guide says that this method does; the [list](#what-methods-cannot) has the "
+    "weaker bound that it keeps. `time`: the cell\n"
+    "took too long. A preset's bold cell is a fault of the preset. `tests/trials` has the scenes.\n"
+    "\n";
 
 std::string text_of_figure(double figure)
 {
@@ -44,7 +52,8 @@ class Page {
   public:
     Page(const std::vector<Result>& results, const Known& known) : known_(known)
     {
-        for (const Result& result : results) cells_[key_of(*result.cell.scene, result.cell.setting)] = &result;
+        for (const Result& result : results)
+            cells_[key_of(*result.cell.scene, result.cell.setting)] = &result;
     }
     std::string text();
 
@@ -104,9 +113,10 @@ std::string Page::figure(const Result& result, const Law& law)
     if (value <= law.kept(setting)) {
         ++tally.weaker;
         return text + "<sup>" +
-               std::to_string(1 + index_of(numbers_, std::string(result.cell.scene->name) + ": " + law.text + ". " +
-                                                         law.reason(setting) + ": at most " +
-                                                         text_of_figure(law.kept(setting)) + " " + law.unit)) +
+               std::to_string(1 +
+                              index_of(numbers_, std::string(result.cell.scene->name) + ": " + law.text +
+                                                     ". " + law.reason(setting) + ": at most " +
+                                                     text_of_figure(law.kept(setting)) + " " + law.unit)) +
                "</sup>";
     }
     ++tally.failing;
@@ -130,7 +140,8 @@ std::string Page::rows(const Scene& scene, const Law& law)
     std::string text;
     for (int step_size = 0; step_size < kStepSizeCount; ++step_size) {
         const double bound = law.bound({Method::kExact, step_size, false});
-        text += step_size == 0 ? "| **" + std::string(scene.name) + "**: " + law.text + ", " + law.unit : "| ";
+        text +=
+            step_size == 0 ? "| **" + std::string(scene.name) + "**: " + law.text + ", " + law.unit : "| ";
         text += std::string(" | ") + name_of_step(step_size) + " | " + text_of_figure(bound);
         for (Method method : kMethods) text += " | " + cell(scene, law, method, step_size);
         text += " |\n";
@@ -165,7 +176,8 @@ std::string Page::table(const std::string& subject)
 
 std::string Page::summary() const
 {
-    std::string text = "| | figures | keep the law | keep what the guide says | fail |\n|---|---|---|---|---|\n";
+    std::string text =
+        "| | figures | keep the law | keep what the guide says | fail |\n|---|---|---|---|---|\n";
     for (Method method : kMethods) {
         const auto found = tallies_.find(name_of(method));
         const Tally tally = found == tallies_.end() ? Tally{} : found->second;
@@ -182,10 +194,12 @@ std::string Page::reasons() const
     for (size_t i = 0; i < letters_.size(); ++i) {
         const auto found = std::find_if(known_.reasons().begin(), known_.reasons().end(),
                                         [&](const auto& reason) { return reason.first == letters_[i]; });
-        text += "| " + letter(i) + " | " + (found == known_.reasons().end() ? "not yet explained" : found->second) + " |\n";
+        text += "| " + letter(i) + " | " +
+                (found == known_.reasons().end() ? "not yet explained" : found->second) + " |\n";
     }
     text += "\n## What methods cannot\nWeaker bounds, as the guide has them.\n\n| | |\n|---|---|\n";
-    for (size_t i = 0; i < numbers_.size(); ++i) text += "| " + std::to_string(i + 1) + " | " + numbers_[i] + " |\n";
+    for (size_t i = 0; i < numbers_.size(); ++i)
+        text += "| " + std::to_string(i + 1) + " | " + numbers_[i] + " |\n";
     return text;
 }
 
@@ -225,7 +239,8 @@ std::string ranking(const std::vector<Result>& results, const Known& known)
                           result.ending == Ending::kTime    ? "time"
                           : result.ending == Ending::kCrash ? "crash"
                                                             : text_of_figure(value).c_str(),
-                          law.unit, bound, law.text, known.reason(*result.cell.scene, law, setting.method).c_str());
+                          law.unit, bound, law.text,
+                          known.reason(*result.cell.scene, law, setting.method).c_str());
             entries.push_back({(Method::kGame | Method::kRobot) >> int(setting.method) & 1 ? true : false,
                                value / bound, text});
         }

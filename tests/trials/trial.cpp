@@ -32,7 +32,9 @@ const Scene* scene_named(const std::string& name)
 
 bool is_quick(const Scene& scene, const Setting& setting)
 {
-    constexpr Setting kQuick[] = {{Method::kOdeExact, 0, false}, {Method::kSubsteps, 0, false}, {Method::kGame, 0, true},
+    constexpr Setting kQuick[] = {{Method::kOdeExact, 0, false},
+                                  {Method::kSubsteps, 0, false},
+                                  {Method::kGame, 0, true},
                                   {Method::kRobot, 1, false}};
     return !scene.takes_long && std::find(std::begin(kQuick), std::end(kQuick), setting) != std::end(kQuick);
 }

@@ -41,7 +41,7 @@ struct Law {
     Bound bound;
     std::vector<Weaker> weaker = {};
 
-    double kept(const Setting& setting) const;           // the bound that the method keeps
+    double kept(const Setting& setting) const;         // the bound that the method keeps
     const char* reason(const Setting& setting) const;  // of a weaker bound, or null
 };
 

@@ -45,7 +45,8 @@ void explain_momentum(Run& run)
         stage.floor();
         std::vector<Tumbler> cubes(2);
         for (int i = 0; i < 2; ++i) {
-            cubes[size_t(i)].body = stage.box({kEdge, kEdge, kEdge}, kMass, {0.1 * i, 0, 0.6 + 0.8 * i}, turn({1, 0.3 + drop, 0.2 + i}, 0.7));
+            cubes[size_t(i)].body = stage.box({kEdge, kEdge, kEdge}, kMass, {0.1 * i, 0, 0.6 + 0.8 * i},
+                                              turn({1, 0.3 + drop, 0.2 + i}, 0.7));
             set_velocity(cubes[size_t(i)].body, {0.3, 0.3 * i, 0}, {3, -2, 5});
             cubes[size_t(i)].remember();
         }
@@ -84,8 +85,9 @@ void keep_ledger(Run& run)
             friction = std::max(friction, ledger.friction);
             impacts = std::max(impacts, ledger.impacts);
             kinetic = std::max(kinetic, ledger.kinetic_before);
-            const double sum = ledger.gravity + ledger.forces + ledger.drives + ledger.friction + ledger.impacts + ledger.joints +
-                               ledger.damping + ledger.correction + ledger.integration;
+            const double sum = ledger.gravity + ledger.forces + ledger.drives + ledger.friction +
+                               ledger.impacts + ledger.joints + ledger.damping + ledger.correction +
+                               ledger.integration;
             closes = std::max(closes, std::fabs(ledger.kinetic_after - ledger.kinetic_before - sum));
         });
         run.record("friction", 100 * friction / kinetic);
@@ -96,19 +98,21 @@ void keep_ledger(Run& run)
 
 }  // namespace
 
-extern const Scene kContactForces{"States and events",
-                                  "contact_forces",
-                                  "two cubes tumble onto a floor and each other: contact forces times h against the change of momentum",
-                                  {{"momentum", "change that they do not explain, of the largest", "%", 0.1},
-                                   {"angular", "the same of the angular momentum", "%", 1}},
-                                  &explain_momentum};
+extern const Scene kContactForces{
+    "States and events",
+    "contact_forces",
+    "two cubes tumble onto a floor and each other: contact forces times h against the change of momentum",
+    {{"momentum", "change that they do not explain, of the largest", "%", 0.1},
+     {"angular", "the same of the angular momentum", "%", 1}},
+    &explain_momentum};
 
-extern const Scene kLedger{"States and events",
-                           "ledger",
-                           "the energy ledger of six boxes that tumble onto a floor",
-                           {{"friction", "largest gain by friction in a step, of the kinetic energy", "%", 0.01},
-                            {"impacts", "largest gain by impacts in a step", "%", 0.01},
-                            {"closes", "what the shares leave over", "%", 1e-6}},
-                           &keep_ledger};
+extern const Scene kLedger{
+    "States and events",
+    "ledger",
+    "the energy ledger of six boxes that tumble onto a floor",
+    {{"friction", "largest gain by friction in a step, of the kinetic energy", "%", 0.01},
+     {"impacts", "largest gain by impacts in a step", "%", 0.01},
+     {"closes", "what the shares leave over", "%", 1e-6}},
+    &keep_ledger};
 
 }  // namespace epode::trials

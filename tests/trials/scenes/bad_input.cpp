@@ -24,15 +24,16 @@ struct BadFloor {
             for (int j = 0; j <= kCells; ++j) {
                 corners.push_back({0.5 * i - 5, 0.5 * j - 5, 0});
                 if (i == kCells || j == kCells) continue;
-                indices.insert(indices.end(), {at(i, j), at(i + 1, j), at(i, j + 1), at(i, j + 1), at(i + 1, j), at(i + 1, j + 1)});
+                indices.insert(indices.end(), {at(i, j), at(i + 1, j), at(i, j + 1), at(i, j + 1),
+                                               at(i + 1, j), at(i + 1, j + 1)});
             }
         }
-        add({-4, -4, 0}, {-4, -4, 0}, {-3.5, -4, 0});               // two corners are one
-        add({-2, -4, 0}, {-1.75, -4, 0}, {-1.5, -4, 0});            // on a line
-        add({0, -4, 0}, {0.5, -4, 0}, {0, -3.5, 0});                // there twice
-        add({2, -4, 0}, {2, -3.5, 0}, {2.5, -4, 0});                // the other way round
-        add({-4, 0, 0}, {-3.5, 0, 0}, {-3.5, 1e-9, 0});             // a needle
-        add({0, 0, 0}, {1e6, 0, 0}, {0, 1e-3, 0});                  // a thousand kilometres long
+        add({-4, -4, 0}, {-4, -4, 0}, {-3.5, -4, 0});     // two corners are one
+        add({-2, -4, 0}, {-1.75, -4, 0}, {-1.5, -4, 0});  // on a line
+        add({0, -4, 0}, {0.5, -4, 0}, {0, -3.5, 0});      // there twice
+        add({2, -4, 0}, {2, -3.5, 0}, {2.5, -4, 0});      // the other way round
+        add({-4, 0, 0}, {-3.5, 0, 0}, {-3.5, 1e-9, 0});   // a needle
+        add({0, 0, 0}, {1e6, 0, 0}, {0, 1e-3, 0});        // a thousand kilometres long
         places.push_back({3.1, 0.2, 0});
         places.push_back({-2, 3, 0});
         places.push_back({2.25, 3.25, 0});
@@ -117,7 +118,8 @@ int accepted_materials()
     for (double bad : kBad) {
         dMaterial material;
         dMaterialInit(&material, sizeof material);
-        if (material.friction = bad; bad != HUGE_VAL) accepted += dGeomSetMaterial(geom, &material);  // infinite friction is one
+        if (material.friction = bad; bad != HUGE_VAL)
+            accepted += dGeomSetMaterial(geom, &material);  // infinite friction is one
         dMaterialInit(&material, sizeof material);
         material.bounce = bad;
         accepted += dGeomSetMaterial(geom, &material);
@@ -135,12 +137,14 @@ int wild_hits()
     int wild = 0;
     for (double bad : {double(NAN), HUGE_VAL, 1e30}) {
         const std::vector<Vec> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {bad, 0, 0}};
-        const dGeomID geom = dCreateTriMesh(nullptr, mesh_data(corners, {0, 1, 2, 0, 1, 3}), nullptr, nullptr, nullptr);
+        const dGeomID geom =
+            dCreateTriMesh(nullptr, mesh_data(corners, {0, 1, 2, 0, 1, 3}), nullptr, nullptr, nullptr);
         const dGeomID ball = dCreateSphere(nullptr, 0.2);
         dGeomSetPosition(ball, 0.2, 0.2, 0.1);
         dContactGeom contacts[8];
         const int count = geom ? dCollide(ball, geom, 8, contacts, sizeof contacts[0]) : 0;
-        for (int i = 0; i < count; ++i) wild += std::isfinite(contacts[i].depth) && contacts[i].depth < 1 ? 0 : 1;
+        for (int i = 0; i < count; ++i)
+            wild += std::isfinite(contacts[i].depth) && contacts[i].depth < 1 ? 0 : 1;
         dGeomDestroy(ball);
         if (geom) dGeomDestroy(geom);
     }
@@ -154,7 +158,9 @@ int wild_hits()
 int wild_hulls()
 {
     Lcg random(13);
-    std::vector<std::vector<dReal>> sets = {{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, {0, 0, 0, 1, 0, 0, 2, 0, 0}, std::vector<dReal>(24, 0.5),
+    std::vector<std::vector<dReal>> sets = {{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0},
+                                            {0, 0, 0, 1, 0, 0, 2, 0, 0},
+                                            std::vector<dReal>(24, 0.5),
                                             {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, dReal(NAN)}};
     std::vector<dReal> ball;
     for (int i = 0; i < 2000; ++i) {
@@ -184,22 +190,24 @@ void offer_bad_input(Run& run)
 
 }  // namespace
 
-extern const Scene kBadFloor{"Surfaces",
-                             "bad_floor",
-                             "five solids on a floor with degenerate, doubled, turned and endless triangles, 2 s (C16)",
-                             {{"height", "height, off that of rest", "mm", 1},
-                              {"moved", "way along the floor", "mm", 5},
-                              {"ray", "height that a ray finds", "mm", 0.001}},
-                             &lie_on_bad_floor};
+extern const Scene kBadFloor{
+    "Surfaces",
+    "bad_floor",
+    "five solids on a floor with degenerate, doubled, turned and endless triangles, 2 s (C16)",
+    {{"height", "height, off that of rest", "mm", 1},
+     {"moved", "way along the floor", "mm", 5},
+     {"ray", "height that a ray finds", "mm", 0.001}},
+    &lie_on_bad_floor};
 
-extern const Scene kBadInput{"Queries",
-                             "bad_input",
-                             "masses, inertias, materials, meshes and hulls with numbers that cannot be (C16)",
-                             {{"masses", "masses and inertias that were accepted", "1", 0},
-                              {"materials", "materials that were accepted", "1", 0},
-                              {"meshes", "contacts that are not finite", "1", 0},
-                              {"hulls", "bounds that are not finite", "1", 0}},
-                             &offer_bad_input,
-                             true};
+extern const Scene kBadInput{
+    "Queries",
+    "bad_input",
+    "masses, inertias, materials, meshes and hulls with numbers that cannot be (C16)",
+    {{"masses", "masses and inertias that were accepted", "1", 0},
+     {"materials", "materials that were accepted", "1", 0},
+     {"meshes", "contacts that are not finite", "1", 0},
+     {"hulls", "bounds that are not finite", "1", 0}},
+    &offer_bad_input,
+    true};
 
 }  // namespace epode::trials

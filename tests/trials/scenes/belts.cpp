@@ -72,15 +72,16 @@ void run_belts(Run& run)
 
 }  // namespace
 
-extern const Scene kBelts{"Rolling and sliding",
-                          "belts",
-                          "a parcel on two belts that drift towards each other; boxes on ramps of 30 degrees that are belts (C21)",
-                          {{"speed", "speed of the parcel, off the belt's", "%", 1},
-                           {"aside", "way of the parcel off the seam", "mm", 10},
-                           {"yaw", "its turn", "degrees", 1},
-                           {"hold", "way in 2 s on a belt at rest, mu 0.589", "mm", 1},
-                           {"climb", "speed on a belt that runs uphill at 0.5 m/s", "%", 1},
-                           {"slide", "acceleration with mu 0.554, off the law", "%", 5}},
-                          &run_belts};
+extern const Scene kBelts{
+    "Rolling and sliding",
+    "belts",
+    "a parcel on two belts that drift towards each other; boxes on ramps of 30 degrees that are belts (C21)",
+    {{"speed", "speed of the parcel, off the belt's", "%", 1},
+     {"aside", "way of the parcel off the seam", "mm", 10},
+     {"yaw", "its turn", "degrees", 1},
+     {"hold", "way in 2 s on a belt at rest, mu 0.589", "mm", 1},
+     {"climb", "speed on a belt that runs uphill at 0.5 m/s", "%", 1},
+     {"slide", "acceleration with mu 0.554, off the law", "%", 5}},
+    &run_belts};
 
 }  // namespace epode::trials

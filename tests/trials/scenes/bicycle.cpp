@@ -25,7 +25,8 @@ class Bicycle {
         front_ = part(3, 0.1405, 0.28, 0.1405, 0, {kBase, 0, 0.35});
         stage.hinge(rear_, frame_, {0, 0, 0.3}, kY);
         stage.hinge(front_, fork_, {kBase, 0, 0.35}, kY);
-        head_ = stage.hinge(fork_, frame_, {kBase + kTrail, 0, 0}, {-std::sin(kHeadAngle), 0, std::cos(kHeadAngle)});
+        head_ = stage.hinge(fork_, frame_, {kBase + kTrail, 0, 0},
+                            {-std::sin(kHeadAngle), 0, std::cos(kHeadAngle)});
         // All leans at one rate about the line between the wheels' lowest points.
         for (dBodyID body : {rear_, frame_, fork_, front_}) {
             const double rolls = body == rear_ ? kSpeed / 0.3 : body == front_ ? kSpeed / 0.35 : 0;
@@ -97,7 +98,8 @@ struct Linear {
         double f[2] = {0, 0};
         for (int i = 0; i < 2; ++i)
             for (int k = 0; k < 2; ++k)
-                f[i] -= kSpeed * kC[i][k] * v[k] + (kGravity * kK0[i][k] + kSpeed * kSpeed * kK2[i][k]) * q[k];
+                f[i] -=
+                    kSpeed * kC[i][k] * v[k] + (kGravity * kK0[i][k] + kSpeed * kSpeed * kK2[i][k]) * q[k];
         const double det = kM[0][0] * kM[1][1] - kM[0][1] * kM[1][0];
         a[0] = (kM[1][1] * f[0] - kM[0][1] * f[1]) / det;
         a[1] = (kM[0][0] * f[1] - kM[1][0] * f[0]) / det;
@@ -143,7 +145,8 @@ std::vector<Law> ride_laws()
 
 }  // namespace
 
-extern const Scene kBicycle{"Machines", "bicycle", "the benchmark bicycle without a rider at 5 m/s, pushed to lean by 0.05 rad/s, 3 s", ride_laws(),
-                            &ride};
+extern const Scene kBicycle{
+    "Machines", "bicycle",
+    "the benchmark bicycle without a rider at 5 m/s, pushed to lean by 0.05 rad/s, 3 s", ride_laws(), &ride};
 
 }  // namespace epode::trials

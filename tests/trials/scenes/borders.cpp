@@ -94,13 +94,14 @@ void slide_all(Run& run)
 
 }  // namespace
 
-extern const Scene kFieldBorder{"Surfaces",
-                                "field_border",
-                                "capsules, balls and boxes that do not turn slide at 3 m/s over the border of two height fields (C17)",
-                                {{"speed", "change of velocity on level fields", "%", 0.1},
-                                 {"hop", "vertical speed there", "m/s", 0.01},
-                                 {"energy", "change of energy in a bowl, of the kinetic energy", "%", 5},
-                                 {"path", "way off that on one field, over waves", "mm", 1}},
-                                &slide_all};
+extern const Scene kFieldBorder{
+    "Surfaces",
+    "field_border",
+    "capsules, balls and boxes that do not turn slide at 3 m/s over the border of two height fields (C17)",
+    {{"speed", "change of velocity on level fields", "%", 0.1},
+     {"hop", "vertical speed there", "m/s", 0.01},
+     {"energy", "change of energy in a bowl, of the kinetic energy", "%", 5},
+     {"path", "way off that on one field, over waves", "mm", 1}},
+    &slide_all};
 
 }  // namespace epode::trials

@@ -102,21 +102,23 @@ void meet(Run& run)
 
 }  // namespace
 
-extern const Scene kBounce{"Impacts",
-                           "bounce",
-                           "a ball drops 5 m, restitution 1 for a minute, and restitution 0.5 (C2)",
-                           {{"peak", "height of a bounce, off 5 m", "mm", &peak_bound},
-                            {"mean", "mean of the last five, off 5 m", "%", &mean_bound},
-                            {"energy", "gain of energy", "%", 2},
-                            {"half", "heights of three bounces with restitution 0.5, off a quarter each", "%", &half_bound}},
-                           &bounce};
+extern const Scene kBounce{
+    "Impacts",
+    "bounce",
+    "a ball drops 5 m, restitution 1 for a minute, and restitution 0.5 (C2)",
+    {{"peak", "height of a bounce, off 5 m", "mm", &peak_bound},
+     {"mean", "mean of the last five, off 5 m", "%", &mean_bound},
+     {"energy", "gain of energy", "%", 2},
+     {"half", "heights of three bounces with restitution 0.5, off a quarter each", "%", &half_bound}},
+    &bounce};
 
-extern const Scene kGrazing{"Impacts",
-                            "grazing",
-                            "a ball at 5 m/s hits a floor with restitution 0 to 1 and slides through the impact",
-                            {{"friction", "tangential impulse, off mu times the normal impulse", "%", 2},
-                             {"rebound", "speed of the rebound, off the restitution's", "%", &rebound_bound}},
-                            &graze};
+extern const Scene kGrazing{
+    "Impacts",
+    "grazing",
+    "a ball at 5 m/s hits a floor with restitution 0 to 1 and slides through the impact",
+    {{"friction", "tangential impulse, off mu times the normal impulse", "%", 2},
+     {"rebound", "speed of the rebound, off the restitution's", "%", &rebound_bound}},
+    &graze};
 
 extern const Scene kHeadOn{"Impacts",
                            "head_on",

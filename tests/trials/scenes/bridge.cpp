@@ -64,13 +64,14 @@ void cross(Run& run)
 
 }  // namespace
 
-extern const Scene kHangingBridge{"Joints",
-                                  "hanging_bridge",
-                                  "a crate of 500 kg is put on 40 planks of 5 kg that hang on hinges (game/bridge_exact.c), 6 s",
-                                  {{"gap", "opening of a hinge", "mm", 20},
-                                   {"speed", "speed of the fastest plank in the last second and a half", "m/s", 10},
-                                   {"energy", "gain of energy, of the crate's weight times 1 m", "%", 1},
-                                   {"lost", "crates that did not stay", "1", 0}},
-                                  &cross};
+extern const Scene kHangingBridge{
+    "Joints",
+    "hanging_bridge",
+    "a crate of 500 kg is put on 40 planks of 5 kg that hang on hinges (game/bridge_exact.c), 6 s",
+    {{"gap", "opening of a hinge", "mm", 20},
+     {"speed", "speed of the fastest plank in the last second and a half", "m/s", 10},
+     {"energy", "gain of energy, of the crate's weight times 1 m", "%", 1},
+     {"lost", "crates that did not stay", "1", 0}},
+    &cross};
 
 }  // namespace epode::trials

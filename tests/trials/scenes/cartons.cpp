@@ -29,9 +29,10 @@ void pack(Run& run, double gap, double yaw)
     for (int k = 0; k < 3; ++k)
         for (int i = -1; i <= 1; ++i)
             for (int j = -1; j <= 1; ++j)
-                cartons.push_back(stage.box(kCarton, 0.15,
-                                            {i * (kCarton.x + gap), j * (kCarton.y + gap), 0.025 + k * (0.05 + gap) + gap},
-                                            turn(kZ, random.uniform(-yaw, yaw))));
+                cartons.push_back(
+                    stage.box(kCarton, 0.15,
+                              {i * (kCarton.x + gap), j * (kCarton.y + gap), 0.025 + k * (0.05 + gap) + gap},
+                              turn(kZ, random.uniform(-yaw, yaw))));
     stage.advance(0.2);
     stage.advance(1.3, [&] {
         for (dBodyID carton : cartons) run.record("speed", length(velocity(carton)));
@@ -53,7 +54,8 @@ void pack_all(Run& run)
 // Two cartons face to face by all sorts of small angles and offsets.
 void collide(Run& run)
 {
-    dGeomID a = dCreateBox(nullptr, kCarton.x, kCarton.y, kCarton.z), b = dCreateBox(nullptr, kCarton.x, kCarton.y, kCarton.z);
+    dGeomID a = dCreateBox(nullptr, kCarton.x, kCarton.y, kCarton.z),
+            b = dCreateBox(nullptr, kCarton.x, kCarton.y, kCarton.z);
     for (const char* law : {"missing", "phantom", "depth", "normal"}) run.record(law, 0);
     for (double yaw : {0.0, 1e-9, 1e-6, 1e-4, 1e-3}) {
         const dQuaternion q = {std::cos(yaw / 2), 0, 0, std::sin(yaw / 2)};
@@ -94,7 +96,8 @@ void load(Run& run, double mass, double drop, double yaw)
     run.record("rebound", highest);
     const double z = position(heavy).z, allowed = 2 * stage.layer();
     const char* law = mass <= 10 ? "to_10" : mass <= 100 ? "to_100" : "to_10000";
-    run.record(law, 1000 * std::max(std::fabs(position(light).z - 0.25) - allowed, std::fabs(z - 0.75) - allowed));
+    run.record(law,
+               1000 * std::max(std::fabs(position(light).z - 0.25) - allowed, std::fabs(z - 0.75) - allowed));
     stage.advance(2);
     run.record(mass <= 100 ? "sinks" : "sinks_more", 1000 * (z - position(heavy).z));
 }
@@ -109,7 +112,8 @@ void sandwich(Run& run)
     double top = 0;
     for (int i = 0; i < 5; ++i) {
         const double high = i % 2 ? 0.5 : 0.1;
-        layers.emplace_back(stage.box({0.5, 0.5, high}, i % 2 ? 1 : 1000, {0, 0, top + high / 2}), top + high / 2);
+        layers.emplace_back(stage.box({0.5, 0.5, high}, i % 2 ? 1 : 1000, {0, 0, top + high / 2}),
+                            top + high / 2);
         top += high;
     }
     stage.advance(3);
@@ -128,19 +132,21 @@ void load_all(Run& run)
     }
 }
 
-constexpr const char* kRatio = "A light body under a heavy one is hard for methods that iterate (guide/howto/mass_ratios.md)";
+constexpr const char* kRatio =
+    "A light body under a heavy one is hard for methods that iterate (guide/howto/mass_ratios.md)";
 constexpr const char* kFalls = "The heavy body falls through the light one (guide/howto/mass_ratios.md)";
 constexpr unsigned kIterative = kSweeps | Method::kSubsteps;
 
 }  // namespace
 
-extern const Scene kCartons{"Rest",
-                            "cartons",
-                            "27 cartons in a tray, with gaps of 0 to 50 um and turned by up to 1e-4 rad (C22)",
-                            {{"speed", "speed after 0.2 s", "m/s", 0.1},
-                             {"rest", "speed after 1.5 s", "m/s", 1e-3},
-                             {"height", "height of a carton, off its layer's", "mm", 0.5}},
-                            &pack_all};
+extern const Scene kCartons{
+    "Rest",
+    "cartons",
+    "27 cartons in a tray, with gaps of 0 to 50 um and turned by up to 1e-4 rad (C22)",
+    {{"speed", "speed after 0.2 s", "m/s", 0.1},
+     {"rest", "speed after 1.5 s", "m/s", 1e-3},
+     {"height", "height of a carton, off its layer's", "mm", 0.5}},
+    &pack_all};
 
 extern const Scene kCartonPairs{"Queries",
                                 "carton_pairs",
@@ -156,10 +162,22 @@ extern const Scene kHeavyOnLight{
     "Rest",
     "heavy_on_light",
     "a cube of 1 to 10,000 kg on one of 1 kg, put down, and dropped from 0.5 m turned by 45 degrees (C25)",
-    {{"to_10", "heights, off those of rest, up to 1 : 10", "mm", 1, {{kIterative | Method::kGame, 4, kRatio}}},
-     {"to_100", "the same, 1 : 100", "mm", 1, {{kSweeps, 1000, kFalls}, {set_of(Method::kSubsteps), 35, kRatio}}},
+    {{"to_10",
+      "heights, off those of rest, up to 1 : 10",
+      "mm",
+      1,
+      {{kIterative | Method::kGame, 4, kRatio}}},
+     {"to_100",
+      "the same, 1 : 100",
+      "mm",
+      1,
+      {{kSweeps, 1000, kFalls}, {set_of(Method::kSubsteps), 35, kRatio}}},
      {"to_10000", "the same, 1 : 1,000 and 1 : 10,000", "mm", 1, {{kIterative, 1000, kFalls}}},
-     {"sandwich", "heights of cubes of 1 kg between three plates of 1,000 kg, off those of rest", "mm", 1, {{kIterative, 1000, kFalls}}},
+     {"sandwich",
+      "heights of cubes of 1 kg between three plates of 1,000 kg, off those of rest",
+      "mm",
+      1,
+      {{kIterative, 1000, kFalls}}},
      {"sinks", "sinking in the last 2 s, up to 1 : 100", "mm", 0.1, {{kSweeps, 1000, kFalls}}},
      {"sinks_more", "the same, 1 : 1,000 and 1 : 10,000", "mm", 0.1, {{kIterative, 1000, kFalls}}},
      {"rebound", "rebound without restitution", "m", 0.3}},

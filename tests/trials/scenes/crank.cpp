@@ -16,7 +16,8 @@ constexpr double kRadius = 0.1, kRod = 0.3, kRate = 10, kSlider = 1;
 
 double pin_force(double angle)
 {
-    const double c = std::cos(angle), s = std::sin(angle), q = std::sqrt(kRod * kRod - kRadius * kRadius * s * s);
+    const double c = std::cos(angle), s = std::sin(angle),
+                 q = std::sqrt(kRod * kRod - kRadius * kRadius * s * s);
     return -kSlider * kRadius * kRate * kRate *
            (c + kRadius * (c * c - s * s) / q + std::pow(kRadius, 3) * s * s * c * c / (q * q * q));
 }
@@ -46,7 +47,9 @@ void turn_crank(Run& run)
         const double rate = spin(crank).z;
         time += stage.h;
         if (time > 0.2)  // the mean of a step is the force at its middle
-            run.record("force", 100 * std::fabs(double(feedback.f2[0]) - pin_force(angle + rate * stage.h / 2)) / largest);
+            run.record(
+                "force",
+                100 * std::fabs(double(feedback.f2[0]) - pin_force(angle + rate * stage.h / 2)) / largest);
         angle += rate * stage.h;
         run.record("gap", 1000 * gap(pin));
     });
@@ -63,12 +66,13 @@ double gap_bound(const Setting& setting)
 
 }  // namespace
 
-extern const Scene kSliderCrank{"Machines",
-                                "slider_crank",
-                                "a motor turns a crank of 0.1 m at 10 rad/s, a rod moves a slider of 1 kg",
-                                {{"force", "error of the force at the slider's pin, of its largest", "%", &force_bound},
-                                 {"rate", "error of the crank's rate", "%", 0.1},
-                                 {"gap", "opening of the pin", "mm", &gap_bound}},
-                                &turn_crank};
+extern const Scene kSliderCrank{
+    "Machines",
+    "slider_crank",
+    "a motor turns a crank of 0.1 m at 10 rad/s, a rod moves a slider of 1 kg",
+    {{"force", "error of the force at the slider's pin, of its largest", "%", &force_bound},
+     {"rate", "error of the crank's rate", "%", 0.1},
+     {"gap", "opening of the pin", "mm", &gap_bound}},
+    &turn_crank};
 
 }  // namespace epode::trials

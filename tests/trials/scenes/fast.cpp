@@ -30,7 +30,8 @@ void shoot(Run& run, Pair pair, double restitution, double offset, int phase)
     make_continuous(a);
     make_continuous(b);
     bool passed = false;
-    stage.advance(0.2, [&] { passed |= position(a).x > position(b).x && length(position(a) - position(b)) < 0.5; });
+    stage.advance(
+        0.2, [&] { passed |= position(a).x > position(b).x && length(position(a) - position(b)) < 0.5; });
     const bool straight = offset == 0 && pair != Pair::kBallAndSpinningBox;
     run.record("passed", straight && (passed || velocity(a).x > velocity(b).x + 1) ? 1 : 0);
     run.record("passed", offset > 0 && std::fabs(velocity(a).x - 200) < 1e-6 ? 1 : 0);
@@ -85,7 +86,8 @@ void hit_plate(Run& run)
 void shoot_all(Run& run)
 {
     for (int phase = 0; phase < 10; ++phase) {
-        for (Pair pair : {Pair::kBalls, Pair::kBoxes, Pair::kBallAndSpinningBox}) shoot(run, pair, 0, 0, phase);
+        for (Pair pair : {Pair::kBalls, Pair::kBoxes, Pair::kBallAndSpinningBox})
+            shoot(run, pair, 0, 0, phase);
         shoot(run, Pair::kBalls, 1, 0, phase);
         shoot(run, Pair::kBalls, 0, 0.03, phase);
     }
@@ -95,16 +97,22 @@ void shoot_all(Run& run)
 
 }  // namespace
 
-extern const Scene kFast{"Impacts",
-                         "fast",
-                         "continuous balls and boxes meet at +-200 m/s in ten phases of a step; a capsule at 500 m/s meets walls (C20)",
-                         {{"passed", "pairs that passed each other", "1", 0},
-                          {"stop", "speed after an impact without restitution", "m/s", 1},
-                          {"swap", "speed after one with restitution 1, off 200 m/s", "%", 2},
-                          {"momentum", "change of momentum", "%", 1e-7, {{Method::kSubsteps | Method::kGame, 1e-4, "Substeps solve contacts in floats (solvers.md)"}}},
-                          {"wall", "how far the capsule is in the wall", "mm", 10},
-                          {"common", "speed of capsule and moving wall, off 83.3 m/s", "m/s", 2},
-                          {"plate", "balls that passed the edge of a hanging plate", "1", 0}},
-                         &shoot_all};
+extern const Scene kFast{
+    "Impacts",
+    "fast",
+    "continuous balls and boxes meet at +-200 m/s in ten phases of a step; a capsule at 500 m/s meets walls "
+    "(C20)",
+    {{"passed", "pairs that passed each other", "1", 0},
+     {"stop", "speed after an impact without restitution", "m/s", 1},
+     {"swap", "speed after one with restitution 1, off 200 m/s", "%", 2},
+     {"momentum",
+      "change of momentum",
+      "%",
+      1e-7,
+      {{Method::kSubsteps | Method::kGame, 1e-4, "Substeps solve contacts in floats (solvers.md)"}}},
+     {"wall", "how far the capsule is in the wall", "mm", 10},
+     {"common", "speed of capsule and moving wall, off 83.3 m/s", "m/s", 2},
+     {"plate", "balls that passed the edge of a hanging plate", "1", 0}},
+    &shoot_all};
 
 }  // namespace epode::trials

@@ -175,21 +175,27 @@ extern const Scene kRollOut{"Rolling and sliding",
                              {"rest", "speed at its end", "m/s", 1e-3}},
                             &roll_out};
 
-extern const Scene kDrawnCube{"Rolling and sliding",
-                              "drawn_cube",
-                              "a cube under horizontal forces of 4.85 to 5.5 N in five directions, its limit 4.905 N (C12)",
-                              {{"held", "way in 5 s under 4.85 and 4.90 N", "mm", 1},
-                               {"way", "way in 5 s under 5.00 and 5.50 N, off the law", "%", 3, {{kCallback, 100, kPyramidReason}}},
-                               {"aside", "way aside", "%", 1, {{kCallback, 100, kPyramidReason}}}},
-                              &draw_cube};
+extern const Scene kDrawnCube{
+    "Rolling and sliding",
+    "drawn_cube",
+    "a cube under horizontal forces of 4.85 to 5.5 N in five directions, its limit 4.905 N (C12)",
+    {{"held", "way in 5 s under 4.85 and 4.90 N", "mm", 1},
+     {"way", "way in 5 s under 5.00 and 5.50 N, off the law", "%", 3, {{kCallback, 100, kPyramidReason}}},
+     {"aside", "way aside", "%", 1, {{kCallback, 100, kPyramidReason}}}},
+    &draw_cube};
 
 extern const Scene kSlideOut{
     "Rolling and sliding",
     "slide_out",
-    "slabs at 3 m/s slide out in six directions, mu 0.4; one spins out at 6 rad/s; then with a contact joint in the island",
+    "slabs at 3 m/s slide out in six directions, mu 0.4; one spins out at 6 rad/s; then with a contact joint "
+    "in the island",
     {{"way", "way, off v^2 / (2 mu g)", "%", &way_bound, {{kCallback, 35, kPyramidReason}}},
      {"aside", "way aside", "%", 0.5, {{kCallback, 20, kPyramidReason}}},
-     {"yaw", "turn of the slab that spins, off that with its weight at the corners", "%", 5, {{kCallback, 30, kPyramidReason}}},
+     {"yaw",
+      "turn of the slab that spins, off that with its weight at the corners",
+      "%",
+      5,
+      {{kCallback, 30, kPyramidReason}}},
      {"mixed", "way with a contact joint, off the law", "%", &way_bound, {{kCallback, 35, kPyramidReason}}},
      {"mixed_aside", "way aside with it", "%", 0.5, {{kCallback, 20, kPyramidReason}}}},
     &slide_out_all};

@@ -34,13 +34,15 @@ double single_edge(const Solid& solid)
 dBodyID add(Stage& stage, const Solid& solid, Vec at, Turn q)
 {
     if (solid.radius == 0) return stage.box({0.5, 0.5, solid.length}, 1000 * 0.25 * solid.length, at, q);
-    return stage.cylinder(solid.radius, solid.length, 1000 * kPi * solid.radius * solid.radius * solid.length, at, q);
+    return stage.cylinder(solid.radius, solid.length, 1000 * kPi * solid.radius * solid.radius * solid.length,
+                          at, q);
 }
 
 void judge_rest(Run& run, const Stage& stage, const Landing& landing)
 {
     const Vec now = position(landing.body);
-    run.record(landing.flat ? "upright" : "stands", degrees_between(rotate(orientation(landing.body), kZ), kZ));
+    run.record(landing.flat ? "upright" : "stands",
+               degrees_between(rotate(orientation(landing.body), kZ), kZ));
     if (!landing.flat) return;
     run.record("height", 1000 * std::max(now.z - landing.height, landing.height - stage.layer() - now.z));
     run.record("moved", 1000 * across(now - landing.start));
@@ -56,10 +58,12 @@ void land(Run& run, const Solid& solid)
     stage.bodies_meet = false;
     stage.block({4, 4, 0.6}, {0, 0, -0.3});
     std::vector<Landing> landings;
-    for (const Vec& place : {Vec{0, 0, 0}, Vec{0, 0.2, 0}, Vec{-0.2, 0.5, 0}, Vec{0.15, -0.375, 0}, Vec{0.05, 0.125, 0}}) {
+    for (const Vec& place :
+         {Vec{0, 0, 0}, Vec{0, 0.2, 0}, Vec{-0.2, 0.5, 0}, Vec{0.15, -0.375, 0}, Vec{0.05, 0.125, 0}}) {
         for (double tilt : {0.0, 1e-6, 1e-3}) {
             const Vec at = place + (solid.length / 2 + kDrop) * kZ;
-            landings.push_back({add(stage, solid, at, turn({0.6, 0.8, 0}, tilt)), place, solid.length / 2, tilt <= 1e-6});
+            landings.push_back(
+                {add(stage, solid, at, turn({0.6, 0.8, 0}, tilt)), place, solid.length / 2, tilt <= 1e-6});
         }
     }
     stage.advance(2, [&] {
@@ -81,7 +85,8 @@ void land_all(Run& run)
 extern const Scene kFlatLandings{
     "Impacts",
     "flat_landings",
-    "cylinders, pillars and plates fall 0.24 m on their faces at five places, tilted by 0, 1e-6 and 1e-3 rad (C8)",
+    "cylinders, pillars and plates fall 0.24 m on their faces at five places, tilted by 0, 1e-6 and 1e-3 rad "
+    "(C8)",
     {{"sideways", "horizontal speed, tilted by 1e-6 at most", "m/s", 0.05},
      {"rocked", "the same, tilted by 1e-3, over that of an impact on one point of the rim", "1", 1.05},
      {"stands", "tilt after 3 s, tilted by 1e-3 at first", "degrees", 5},

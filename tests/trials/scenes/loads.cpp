@@ -22,14 +22,16 @@ void load_column(Run& run, bool hangs)
     dBodyID last = nullptr;
     for (int i = 0; i < kCount; ++i) {
         const dBodyID brick = stage.bar({0.5, 0.25, 0.25}, kMass, {0, 0, (i + 0.5) * (hangs ? -0.25 : 0.25)});
-        const dJointID joint = hangs ? stage.ball_joint(brick, last, {0, 0, -0.25 * i}) : stage.fix(brick, last);
+        const dJointID joint =
+            hangs ? stage.ball_joint(brick, last, {0, 0, -0.25 * i}) : stage.fix(brick, last);
         dJointSetFeedback(joint, &loads.emplace_back());
         last = brick;
     }
     int steps = 0;
     stage.advance(0.5, [&] {
         for (int i = 0; i < kCount; ++i) {
-            const double error = 100 * std::fabs(force_of(loads[size_t(i)]) / ((kCount - i) * kMass * kGravity) - 1);
+            const double error =
+                100 * std::fabs(force_of(loads[size_t(i)]) / ((kCount - i) * kMass * kGravity) - 1);
             run.record(steps == 0 ? "first" : "early", error);
         }
         ++steps;
@@ -54,7 +56,8 @@ void load_beam(Run& run)
     int steps = 0;
     stage.advance(0.5, [&] {
         const double borne = ends[0].f1[2] + ends[1].f1[2];
-        run.record(steps++ == 0 ? "first" : "early", 100 * std::fabs(borne / (kCount * kMass * kGravity) - 1));
+        run.record(steps++ == 0 ? "first" : "early",
+                   100 * std::fabs(borne / (kCount * kMass * kGravity) - 1));
     });
 }
 
@@ -76,11 +79,15 @@ struct Wall {
     {
         for (int r = 0; r < kRows; ++r)
             for (int i = 0; i < kColumns; ++i)
-                brick[r][i] = stage.box({0.5, 0.25, 0.25}, 60, {(i + (r % 2 ? 0.5 : 0)) * 0.5, 0, 0.125 + r * 0.25});
+                brick[r][i] =
+                    stage.box({0.5, 0.25, 0.25}, 60, {(i + (r % 2 ? 0.5 : 0)) * 0.5, 0, 0.125 + r * 0.25});
         for (int r = 0; r < kRows; ++r)
             for (int i = 0; i < kColumns; ++i) fix_brick(stage, r, i);
     }
-    void fix(Stage& stage, dBodyID a, dBodyID b) { dJointSetFeedback(stage.fix(a, b), &loads.emplace_back()); }
+    void fix(Stage& stage, dBodyID a, dBodyID b)
+    {
+        dJointSetFeedback(stage.fix(a, b), &loads.emplace_back());
+    }
     void fix_brick(Stage& stage, int r, int i)
     {
         if (i + 1 < kColumns) fix(stage, brick[r][i], brick[r][i + 1]);
@@ -130,20 +137,22 @@ void hit_wall(Run& run)
 
 }  // namespace
 
-extern const Scene kStaticLoads{"Joints",
-                                "static_loads",
-                                "a column and a chain of ten bricks, a beam of eleven between two walls; half a second",
-                                {{"first", "forces in the first step, off the weights that they bear", "%", 1},
-                                 {"early", "the same in later steps", "%", 1}},
-                                &load_all};
+extern const Scene kStaticLoads{
+    "Joints",
+    "static_loads",
+    "a column and a chain of ten bricks, a beam of eleven between two walls; half a second",
+    {{"first", "forces in the first step, off the weights that they bear", "%", 1},
+     {"early", "the same in later steps", "%", 1}},
+    &load_all};
 
-extern const Scene kWall{"Joints",
-                         "wall",
-                         "a ball of 200 kg at 20 m/s hits a wall of 240 bricks on fixed joints; from 0.3 s after the impact on",
-                         {{"start", "largest force in the first step, off that at rest", "%", 10},
-                          {"jump", "largest force of a joint over that of the step before, or 10 kN", "1", 1.5},
-                          {"speed", "speed of the fastest brick", "m/s", 2},
-                          {"force", "largest force of a joint", "kN", 40}},
-                         &hit_wall};
+extern const Scene kWall{
+    "Joints",
+    "wall",
+    "a ball of 200 kg at 20 m/s hits a wall of 240 bricks on fixed joints; from 0.3 s after the impact on",
+    {{"start", "largest force in the first step, off that at rest", "%", 10},
+     {"jump", "largest force of a joint over that of the step before, or 10 kN", "1", 1.5},
+     {"speed", "speed of the fastest brick", "m/s", 2},
+     {"force", "largest force of a joint", "kN", 40}},
+    &hit_wall};
 
 }  // namespace epode::trials

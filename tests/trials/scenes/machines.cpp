@@ -55,9 +55,18 @@ void run_top(Run& run)
     run.record("precession", 100 * std::fabs(turned / (Top::rate() * time) - 1));
 }
 
-double top_bound(const Setting& setting) { return setting.step_size == 0 ? 5 : setting.step_size == 1 ? 0.2 : 0.02; }
-double tilt_bound(const Setting& setting) { return setting.step_size == 0 ? 20 : setting.step_size == 1 ? 1 : 0.2; }
-double precession_bound(const Setting& setting) { return setting.step_size == 0 ? 20 : setting.step_size == 1 ? 1 : 0.2; }
+double top_bound(const Setting& setting)
+{
+    return setting.step_size == 0 ? 5 : setting.step_size == 1 ? 0.2 : 0.02;
+}
+double tilt_bound(const Setting& setting)
+{
+    return setting.step_size == 0 ? 20 : setting.step_size == 1 ? 1 : 0.2;
+}
+double precession_bound(const Setting& setting)
+{
+    return setting.step_size == 0 ? 20 : setting.step_size == 1 ? 1 : 0.2;
+}
 
 std::vector<Law> top_laws()
 {
@@ -77,7 +86,10 @@ double arm_error(Stage& stage)
     return energy_error(stage, 10, 2 * kGravity * 0.75);
 }
 
-double arm_bound(const Setting& setting) { return setting.step_size == 0 ? 50 : setting.step_size == 1 ? 15 : 0.5; }
+double arm_bound(const Setting& setting)
+{
+    return setting.step_size == 0 ? 50 : setting.step_size == 1 ? 15 : 0.5;
+}
 
 void run_arm(Run& run) { record_energy(run, &arm_error); }
 
@@ -96,17 +108,23 @@ double stone_error(Stage& stage)
     return energy_error(stage, 5, kinetic_energy(stage));
 }
 
-double stone_bound(const Setting& setting) { return setting.step_size == 0 ? 10 : setting.step_size == 1 ? 3 : 1; }
+double stone_bound(const Setting& setting)
+{
+    return setting.step_size == 0 ? 10 : setting.step_size == 1 ? 3 : 1;
+}
 
 void run_stone(Run& run) { record_energy(run, &stone_error); }
 
 }  // namespace
 
-extern const Scene kHeavyTop{"Machines", "heavy_top", "a top at 100 rad/s on a ball joint in steady precession, 3 s", top_laws(),
+extern const Scene kHeavyTop{"Machines", "heavy_top",
+                             "a top at 100 rad/s on a ball joint in steady precession, 3 s", top_laws(),
                              &run_top};
-extern const Scene kSwingingArm{"Machines", "swinging_arm", "two bars of half a metre swing on hinges from level, 10 s",
+extern const Scene kSwingingArm{"Machines", "swinging_arm",
+                                "two bars of half a metre swing on hinges from level, 10 s",
                                 energy_laws(&arm_bound), &run_arm};
-extern const Scene kRattleback{"Machines", "rattleback", "an ellipsoid with skewed inertia spins on a floor without slip, 5 s",
+extern const Scene kRattleback{"Machines", "rattleback",
+                               "an ellipsoid with skewed inertia spins on a floor without slip, 5 s",
                                energy_laws(&stone_bound), &run_stone};
 
 }  // namespace epode::trials

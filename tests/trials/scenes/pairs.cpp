@@ -74,7 +74,8 @@ void seize(Run& run)
         set_velocity(a, any(), any());
         set_velocity(b, any(), any());
         // Both with the poses at which the step is solved.
-        const Vec before = angular_momentum(stage), linear = momentum(stage), at_a = position(a), at_b = position(b);
+        const Vec before = angular_momentum(stage), linear = momentum(stage), at_a = position(a),
+                  at_b = position(b);
         const Turn turned_a = orientation(a), turned_b = orientation(b);
         stage.step();
         const Vec after = angular_momentum(a, at_a, turned_a) + angular_momentum(b, at_b, turned_b);
@@ -89,13 +90,18 @@ double inner_bound(const Setting& setting) { return 100 * 4 * setting.h(); }
 }  // namespace
 
 extern const Scene kTumblingPair{"Free motion", "tumbling_pair",
-                                 "two boxes on two ball joints tumble in empty space at 5 rad/s, 5 s", tumble_laws(), &tumble};
+                                 "two boxes on two ball joints tumble in empty space at 5 rad/s, 5 s",
+                                 tumble_laws(), &tumble};
 
 extern const Scene kSeizedPair{
     "Free motion",
     "seized_pair",
-    "two free bodies on a universal and a ball joint are given velocities that the joints do not allow, eight times",
-    {{"momentum", "change of the angular momentum in a step", "%", 1e-4,
+    "two free bodies on a universal and a ball joint are given velocities that the joints do not allow, "
+    "eight times",
+    {{"momentum",
+      "change of the angular momentum in a step",
+      "%",
+      1e-4,
       {{set_of(Method::kSubsteps), &inner_bound, "Substeps move the bodies in between (guide/steppers.md)"}}},
      {"linear", "change of the momentum", "%", 1e-6}},
     &seize};

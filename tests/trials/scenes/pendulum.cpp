@@ -14,8 +14,10 @@ namespace {
 void swing(Run& run)
 {
     Stage stage(run);
-    const dBodyID first = stage.bar({2, 0.2, 0.2}, 2, {1, 0, 5}), second = stage.bar({0.2, 2, 0.2}, 2, {2, 1, 5});
-    const dJointID hinge = stage.hinge(first, nullptr, {0, 0, 5}, kY), ball = stage.ball_joint(first, second, {2, 0, 5});
+    const dBodyID first = stage.bar({2, 0.2, 0.2}, 2, {1, 0, 5}),
+                  second = stage.bar({0.2, 2, 0.2}, 2, {2, 1, 5});
+    const dJointID hinge = stage.hinge(first, nullptr, {0, 0, 5}, kY),
+                   ball = stage.ball_joint(first, second, {2, 0, 5});
     const double scale = 2 * kGravity * 2, start = energy(stage);
     const bool is_short = run.setting.step_size == 2;
     double time = 0;
@@ -49,7 +51,8 @@ struct Tree {
             const Turn turned = random.any_turn();
             const double side = random.uniform(0.2, 0.6), mass = std::pow(10.0, random.uniform(-1, 1));
             const Vec anchor = parent ? position(parent) + rotate(orientation(parent), {0.2, 0, 0}) : Vec{};
-            links.push_back(stage.bar({2 * side, 0.1, 0.06}, mass, anchor + rotate(turned, {side, 0, 0}), turned));
+            links.push_back(
+                stage.bar({2 * side, 0.1, 0.06}, mass, anchor + rotate(turned, {side, 0, 0}), turned));
             join(links.back(), parent, anchor, turned, random.below(3));
             size += mass * kGravity * length(position(links.back()));
         }
@@ -82,19 +85,26 @@ void swing_trees(Run& run)
 
 }  // namespace
 
-extern const Scene kDoublePendulum{"Machines",
-                                   "double_pendulum",
-                                   "two bars of 2 m on a hinge and a ball joint, 300 s, in steps of 1 ms 30 s (C23)",
-                                   {{"gain", "gain of energy, of m g L", "%", &gain_bound},
-                                    {"loss", "loss in the first 30 s", "%", &loss_bound},
-                                    {"gap", "opening of a joint", "mm", 2, {{kSweeps | Method::kSubsteps, &swept_gap_bound, "Sweeps leave errors in joints (guide/steppers.md)"},
-                                                                         {kAll & ~set_of(Method::kRobot), &gap_bound, "Without projection joints open by (w h)^2/2 of the lever (guide/stability.md)"}}}},
-                                   &swing};
+extern const Scene kDoublePendulum{
+    "Machines",
+    "double_pendulum",
+    "two bars of 2 m on a hinge and a ball joint, 300 s, in steps of 1 ms 30 s (C23)",
+    {{"gain", "gain of energy, of m g L", "%", &gain_bound},
+     {"loss", "loss in the first 30 s", "%", &loss_bound},
+     {"gap",
+      "opening of a joint",
+      "mm",
+      2,
+      {{kSweeps | Method::kSubsteps, &swept_gap_bound, "Sweeps leave errors in joints (guide/steppers.md)"},
+       {kAll & ~set_of(Method::kRobot), &gap_bound,
+        "Without projection joints open by (w h)^2/2 of the lever (guide/stability.md)"}}}},
+    &swing};
 
-extern const Scene kTrees{"Machines",
-                          "trees",
-                          "twelve random trees of 4 to 12 bars on ball joints, hinges and universal joints swing, 4 s",
-                          {{"gain", "gain of energy, of the sum of m g r", "%", 1}},
-                          &swing_trees};
+extern const Scene kTrees{
+    "Machines",
+    "trees",
+    "twelve random trees of 4 to 12 bars on ball joints, hinges and universal joints swing, 4 s",
+    {{"gain", "gain of energy, of the sum of m g r", "%", 1}},
+    &swing_trees};
 
 }  // namespace epode::trials

@@ -66,7 +66,8 @@ void cast_rays(Run& run)
         set_pose(cylinder, pose.moved, pose.turned);
         for (const Ray& ray : kRays) {
             const Vec o = pose.point(ray.from), d = pose.direction(ray.along);
-            const dVector3 origin = {dReal(o.x), dReal(o.y), dReal(o.z)}, direction = {dReal(d.x), dReal(d.y), dReal(d.z)};
+            const dVector3 origin = {dReal(o.x), dReal(o.y), dReal(o.z)},
+                           direction = {dReal(d.x), dReal(d.y), dReal(d.z)};
             dQueryHit hit;
             const bool is_hit = dSpaceRayClosest(space, origin, direction, 20, nullptr, &hit);
             run.record("hits", is_hit == (ray.distance > 0) ? 0 : 1);
@@ -96,7 +97,8 @@ dGeomID make_bar(Stage& stage, Bar kind)
     if (kind == Bar::kBox) return stage.block(kBar, {});
     std::vector<dReal> corners;
     for (int i = 0; i < 8; ++i)
-        for (double c : {(i & 1 ? 0.5 : -0.5) * kBar.x, (i & 2 ? 0.5 : -0.5) * kBar.y, (i & 4 ? 0.5 : -0.5) * kBar.z})
+        for (double c :
+             {(i & 1 ? 0.5 : -0.5) * kBar.x, (i & 2 ? 0.5 : -0.5) * kBar.y, (i & 4 ? 0.5 : -0.5) * kBar.z})
             corners.push_back(c);
     return stage.place(dCreateConvexHull(stage.space, corners.data(), 8, 0));
 }
@@ -116,7 +118,8 @@ void cast_capsule(Run& run, Bar kind, const Pose& pose)
         if (!is_hit || right < 0) return;
         run.record("travel", 1e6 * std::fabs(hit.distance - right));
         run.record("against", dot(vec(hit.normal), m) < 0 ? 0 : 1);
-        if (std::fabs(at.z) <= 0.8) run.record("normal", length(vec(hit.normal) - pose.direction({-1, 0, 0})));
+        if (std::fabs(at.z) <= 0.8)
+            run.record("normal", length(vec(hit.normal) - pose.direction({-1, 0, 0})));
     };
     for (double z : {-1.5, -1.15, -1.0, -0.5, 0.0, 0.5, 1.0, 1.15, 1.5}) cast({3, 0, z}, {}, travel(z));
     cast({3, 0, 0}, turn(kY, kPi / 2), 2.9 - kHalf - kRadius);
@@ -132,23 +135,25 @@ void cast_capsules(Run& run)
 
 }  // namespace
 
-extern const Scene kRaysAtCylinder{"Queries",
-                                   "rays_at_cylinder",
-                                   "rays from inside, grazing and at the rim of a cylinder, also turned and moved (C15)",
-                                   {{"hits", "hits and misses that are wrong", "1", 0},
-                                    {"distance", "error of the distance", "m", 1e-9},
-                                    {"normal", "error of the normal", "1", 1e-6}},
-                                   &cast_rays,
-                                   true};
+extern const Scene kRaysAtCylinder{
+    "Queries",
+    "rays_at_cylinder",
+    "rays from inside, grazing and at the rim of a cylinder, also turned and moved (C15)",
+    {{"hits", "hits and misses that are wrong", "1", 0},
+     {"distance", "error of the distance", "m", 1e-9},
+     {"normal", "error of the normal", "1", 1e-6}},
+    &cast_rays,
+    true};
 
-extern const Scene kCapsuleCasts{"Queries",
-                                 "capsule_casts",
-                                 "a capsule is cast at a bar of triangles, a box and a hull at nine heights (C18)",
-                                 {{"hits", "hits and misses that are wrong", "1", 0},
-                                  {"travel", "error of the travel", "um", 10},
-                                  {"normal", "error of the normal where the side hits", "1", 1e-3},
-                                  {"against", "normals that are not against the motion", "1", 0}},
-                                 &cast_capsules,
-                                 true};
+extern const Scene kCapsuleCasts{
+    "Queries",
+    "capsule_casts",
+    "a capsule is cast at a bar of triangles, a box and a hull at nine heights (C18)",
+    {{"hits", "hits and misses that are wrong", "1", 0},
+     {"travel", "error of the travel", "um", 10},
+     {"normal", "error of the normal where the side hits", "1", 1e-3},
+     {"against", "normals that are not against the motion", "1", 0}},
+    &cast_capsules,
+    true};
 
 }  // namespace epode::trials

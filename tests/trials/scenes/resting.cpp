@@ -23,7 +23,8 @@ void watch(Run& run, Stage& stage, double seconds, const char* speed, const char
     stage.advance(0.1 * seconds, [&] {
         for (dBodyID body : bodies) run.record(speed, across(velocity(body)));
     });
-    for (size_t i = 0; i < bodies.size(); ++i) run.record(moved, 1000 * across(position(bodies[i]) - start[i]));
+    for (size_t i = 0; i < bodies.size(); ++i)
+        run.record(moved, 1000 * across(position(bodies[i]) - start[i]));
 }
 
 void park_car(Stage& stage, Vec at)
@@ -75,7 +76,8 @@ void lie(Run& run)
         if (trial < 3)
             stage.block({1, 1, 0.05}, {0, 0, -0.025});
         else  // the diagonal runs below the body
-            mesh(stage, {{-0.5, -0.25, 0}, {0.5, -0.5, 0}, {0.5, 0.25, 0}, {-0.5, 0.5, 0}}, {0, 1, 2, 0, 2, 3});
+            mesh(stage, {{-0.5, -0.25, 0}, {0.5, -0.5, 0}, {0.5, 0.25, 0}, {-0.5, 0.5, 0}},
+                 {0, 1, 2, 0, 2, 3});
         const Vec at{0.1, 0.05, kRadius + kGap};
         const dBodyID body = shape == 0   ? stage.cylinder(kRadius, kLength, 0.023, at, flat)
                              : shape == 1 ? stage.capsule(kRadius, kLength - 2 * kRadius, 0.023, at, flat)
@@ -111,13 +113,15 @@ void lie_tiny(Run& run)
     std::vector<double> heights;
     Lcg random(7);
     for (int i = 0; i < 12; ++i) {
-        const Vec at{0.013 * (i % 4) - 0.031 + random.uniform(0, 1e-3), 0.017 * (i / 4) - 0.023 + random.uniform(0, 1e-3), kRadius};
+        const Vec at{0.013 * (i % 4) - 0.031 + random.uniform(0, 1e-3),
+                     0.017 * (i / 4) - 0.023 + random.uniform(0, 1e-3), kRadius};
         const Turn flat = turn(kZ, random.uniform(0, 3)) * turn(kY, kPi / 2);
         dMass mass;
         dMassSetEllipsoid(&mass, 7800, 0.004, 0.003, kRadius);
-        const dBodyID body = i % 3 == 0   ? stage.ball(kRadius, 5.1e-4, at)
-                             : i % 3 == 1 ? stage.capsule(kRadius, 0.01, 2e-3, at, flat)
-                                          : stage.body(dCreateEllipsoid(stage.space, 0.004, 0.003, kRadius), mass, at);
+        const dBodyID body = i % 3 == 0 ? stage.ball(kRadius, 5.1e-4, at)
+                             : i % 3 == 1
+                                 ? stage.capsule(kRadius, 0.01, 2e-3, at, flat)
+                                 : stage.body(dCreateEllipsoid(stage.space, 0.004, 0.003, kRadius), mass, at);
         bodies.emplace_back(body, at);
     }
     stage.advance(19);
@@ -144,7 +148,8 @@ void build_towers(Run& run)
         std::vector<dBodyID> cubes;
         const double edge = tower.edge;
         for (int i = 0; i < 8; ++i)
-            cubes.push_back(stage.box({edge, edge, edge}, 1000 * edge * edge * edge, {0, 0, (i + 0.5) * edge}));
+            cubes.push_back(
+                stage.box({edge, edge, edge}, 1000 * edge * edge * edge, {0, 0, (i + 0.5) * edge}));
         stage.advance(10);
         for (int i = 0; i < 8; ++i) {
             const Vec off = position(cubes[size_t(i)]) - Vec{0, 0, (i + 0.5) * edge};
@@ -156,32 +161,35 @@ void build_towers(Run& run)
 
 }  // namespace
 
-extern const Scene kRoundAtRest{"Rest",
-                                "round_at_rest",
-                                "balls, lying cylinders and capsules of 2.5 mm to 0.2 m, and a car with free wheels, put down at rest",
-                                {{"speed", "speed along the floor after 9 s", "m/s", 1e-6},
-                                 {"moved", "way in 10 s", "mm", 0.01},
-                                 {"car", "speed of the car after 9 s", "m/s", 1e-6},
-                                 {"car_moved", "its way in 8 s", "mm", 0.01}},
-                                &stay};
+extern const Scene kRoundAtRest{
+    "Rest",
+    "round_at_rest",
+    "balls, lying cylinders and capsules of 2.5 mm to 0.2 m, and a car with free wheels, put down at rest",
+    {{"speed", "speed along the floor after 9 s", "m/s", 1e-6},
+     {"moved", "way in 10 s", "mm", 0.01},
+     {"car", "speed of the car after 9 s", "m/s", 1e-6},
+     {"car_moved", "its way in 8 s", "mm", 0.01}},
+    &stay};
 
-extern const Scene kBattery{"Rest",
-                            "battery",
-                            "a battery of 23 g, as cylinder, capsule and box, falls 2 mm on its side (C9); from 2 s on",
-                            {{"depth", "depth", "mm", 0.1},
-                             {"tilt", "tilt of the axis", "degrees", 0.1},
-                             {"pitch", "rate of pitch and yaw", "rad/s", 0.01},
-                             {"tremble", "standard deviation of the height", "um", 5},
-                             {"rolled", "way", "mm", 1}},
-                            &lie};
+extern const Scene kBattery{
+    "Rest",
+    "battery",
+    "a battery of 23 g, as cylinder, capsule and box, falls 2 mm on its side (C9); from 2 s on",
+    {{"depth", "depth", "mm", 0.1},
+     {"tilt", "tilt of the axis", "degrees", 0.1},
+     {"pitch", "rate of pitch and yaw", "rad/s", 0.01},
+     {"tremble", "standard deviation of the height", "um", 5},
+     {"rolled", "way", "mm", 1}},
+    &lie};
 
-extern const Scene kTinyAtRest{"Rest",
-                               "tiny_at_rest",
-                               "steel balls, capsules and ellipsoids of 2.5 mm at twelve places of a block, 20 s (C10)",
-                               {{"moved", "way", "mm", 0.01},
-                                {"spin", "angular velocity in the last second", "rad/s", 1e-3},
-                                {"depth", "depth", "mm", 0.02}},
-                               &lie_tiny};
+extern const Scene kTinyAtRest{
+    "Rest",
+    "tiny_at_rest",
+    "steel balls, capsules and ellipsoids of 2.5 mm at twelve places of a block, 20 s (C10)",
+    {{"moved", "way", "mm", 0.01},
+     {"spin", "angular velocity in the last second", "rad/s", 1e-3},
+     {"depth", "depth", "mm", 0.02}},
+    &lie_tiny};
 
 extern const Scene kTowers{"Rest",
                            "towers",

@@ -51,7 +51,8 @@ void cross(Run& run, Floor floor, double friction, double angle)
     });
     const double right = friction > 0 ? kSpeed * 5 / 7 : kSpeed;
     run.record(friction > 0 ? "roll" : "glide", 100 * std::fabs(last / right - 1));
-    if (friction > 0) run.record("roll", 100 * std::fabs(dot(spin(ball), trials::cross(kZ, along)) * kRadius / right - 1));
+    if (friction > 0)
+        run.record("roll", 100 * std::fabs(dot(spin(ball), trials::cross(kZ, along)) * kRadius / right - 1));
 }
 
 void cross_seams(Run& run)
@@ -64,15 +65,16 @@ void cross_seams(Run& run)
 
 }  // namespace
 
-extern const Scene kSeams{"Rolling and sliding",
-                          "seams",
-                          "a ball at 5 m/s crosses seams of boxes, meshes and height fields, flush, also at 37 degrees (C1)",
-                          {{"hop", "change of height", "mm", 1},
-                           {"rise", "vertical speed", "m/s", 0.02},
-                           {"glide", "speed without friction, off 5 m/s", "%", 0.1},
-                           {"roll", "speed and spin with friction, off 5/7 of it", "%", 1},
-                           {"jerk", "change of speed in a step beyond mu g h", "m/s", 1e-3},
-                           {"aside", "sideways speed", "m/s", 0.01}},
-                          &cross_seams};
+extern const Scene kSeams{
+    "Rolling and sliding",
+    "seams",
+    "a ball at 5 m/s crosses seams of boxes, meshes and height fields, flush, also at 37 degrees (C1)",
+    {{"hop", "change of height", "mm", 1},
+     {"rise", "vertical speed", "m/s", 0.02},
+     {"glide", "speed without friction, off 5 m/s", "%", 0.1},
+     {"roll", "speed and spin with friction, off 5/7 of it", "%", 1},
+     {"jerk", "change of speed in a step beyond mu g h", "m/s", 1e-3},
+     {"aside", "sideways speed", "m/s", 0.01}},
+    &cross_seams};
 
 }  // namespace epode::trials

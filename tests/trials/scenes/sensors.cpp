@@ -130,13 +130,15 @@ void watch_all(Run& run)
 
 }  // namespace
 
-extern const Scene kSensors{"States and events",
-                            "sensors",
-                            "a ball that is a sensor crosses a wall; a box falls into a sensor, sleeps, leaves, comes back and is destroyed; "
-                            "the sensor moves over a body that sleeps (C24)",
-                            {{"events", "begins and ends too many or too few", "1", 0},
-                             {"duration", "time between begin and end, off the law, beyond one step", "steps", 1e-6},
-                             {"woken", "sleeping bodies that the sensor has woken", "1", 0}},
-                            &watch_all};
+extern const Scene kSensors{
+    "States and events",
+    "sensors",
+    "a ball that is a sensor crosses a wall; a box falls into a sensor, sleeps, leaves, comes back and is "
+    "destroyed; "
+    "the sensor moves over a body that sleeps (C24)",
+    {{"events", "begins and ends too many or too few", "1", 0},
+     {"duration", "time between begin and end, off the law, beyond one step", "steps", 1e-6},
+     {"woken", "sleeping bodies that the sensor has woken", "1", 0}},
+    &watch_all};
 
 }  // namespace epode::trials

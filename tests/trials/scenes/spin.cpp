@@ -90,12 +90,11 @@ extern const Scene kSpinningBoxes{
      {"axis", "angle between a stable axis and the angular momentum", "degrees", 5}},
     &spin_all};
 
-extern const Scene kFreeTop{
-    "Free motion",
-    "free_top",
-    "a symmetric top precesses in empty space at |L|/A on a cone",
-    {{"precession", "error of the rate of precession", "%", &precession_bound},
-     {"cone", "change of the cone's angle", "%", 2}},
-    &precess};
+extern const Scene kFreeTop{"Free motion",
+                            "free_top",
+                            "a symmetric top precesses in empty space at |L|/A on a cone",
+                            {{"precession", "error of the rate of precession", "%", &precession_bound},
+                             {"cone", "change of the cone's angle", "%", 2}},
+                            &precess};
 
 }  // namespace epode::trials

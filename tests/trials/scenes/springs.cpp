@@ -33,7 +33,8 @@ void swing(Run& run, Held held, const char* law)
         dBodyEnable(box);
         dBodyAddForce(box, -kStiffness * position(box).x, 0, 0);
         stage.step();
-        const double x = position(box).x, v = velocity(box).x, now = (kStiffness * x * x + kMass * v * v) / 2 / start;
+        const double x = position(box).x, v = velocity(box).x,
+                     now = (kStiffness * x * x + kMass * v * v) / 2 / start;
         run.record(law, now);
         if (i * stage.h < 0.5) least = std::min(least, now);
     }
@@ -68,19 +69,21 @@ void wake_in_wind(Run& run)
 
 }  // namespace
 
-extern const Scene kSpring{"Machines",
-                           "spring",
-                           "a program's own spring of 3.2 Hz on a box that lies on a floor, is free, or is on a slider, 3 s",
-                           {{"floor", "largest energy over that of the start, on a floor without friction", "1", &most_energy},
-                            {"free", "the same, free", "1", &most_energy},
-                            {"slider", "the same, on a slider", "1", &most_energy},
-                            {"least", "energy of the start over the least of the last half second", "1", &least_energy}},
-                           &swing_all};
+extern const Scene kSpring{
+    "Machines",
+    "spring",
+    "a program's own spring of 3.2 Hz on a box that lies on a floor, is free, or is on a slider, 3 s",
+    {{"floor", "largest energy over that of the start, on a floor without friction", "1", &most_energy},
+     {"free", "the same, free", "1", &most_energy},
+     {"slider", "the same, on a slider", "1", &most_energy},
+     {"least", "energy of the start over the least of the last half second", "1", &least_energy}},
+    &swing_all};
 
-extern const Scene kWind{"Rest",
-                         "wind",
-                         "a program adds 10 N to a disabled body of 10 kg for 1,200 steps and then wakes it",
-                         {{"speed", "acceleration in the first step awake, 1 m/s^2 is right", "m/s^2", 1.001}},
-                         &wake_in_wind};
+extern const Scene kWind{
+    "Rest",
+    "wind",
+    "a program adds 10 N to a disabled body of 10 kg for 1,200 steps and then wakes it",
+    {{"speed", "acceleration in the first step awake, 1 m/s^2 is right", "m/s^2", 1.001}},
+    &wake_in_wind};
 
 }  // namespace epode::trials

@@ -95,7 +95,8 @@ void drive(Run& run)
 {
     Stage stage(run);
     const Car car = build_car(stage);
-    stage.advance(20, [&] { run.record("steering", degrees(std::fabs(dJointGetAxisPosition(car.joint[0], 0)))); });
+    stage.advance(
+        20, [&] { run.record("steering", degrees(std::fabs(dJointGetAxisPosition(car.joint[0], 0)))); });
     run.record("aside", std::fabs(position(car.chassis).y));
     run.record("speed", 100 * std::fabs(velocity(car.chassis).x / 40 - 1));
 }
@@ -104,18 +105,24 @@ void drive(Run& run)
 
 extern const Scene kStand{"Rest",
                           "stand",
-                          "a table on three balls, of one body, on fixed joints and on held hinges, on a slope of 9 degrees, 20 s (C14)",
-                          {{"moved", "way from 1 s on", "mm", 0.5, {{kSweeps | Method::kSubsteps, 5, "Sweeps do not converge (guide/steppers.md)"}}},
+                          "a table on three balls, of one body, on fixed joints and on held hinges, on a "
+                          "slope of 9 degrees, 20 s (C14)",
+                          {{"moved",
+                            "way from 1 s on",
+                            "mm",
+                            0.5,
+                            {{kSweeps | Method::kSubsteps, 5, "Sweeps do not converge (guide/steppers.md)"}}},
                            {"turned", "turn from 1 s on", "degrees", 0.05},
                            {"speed", "speed at the end", "m/s", 1e-3}},
                           &stand};
 
-extern const Scene kCar{"Machines",
-                        "car",
-                        "a car on hinge-2 wheels with springs, drives and steering at 0 goes straight ahead at 40 m/s, 20 s",
-                        {{"aside", "way aside", "m", 0.1},
-                         {"steering", "largest angle of a steered wheel", "degrees", 0.1},
-                         {"speed", "speed at the end, off 40 m/s", "%", 2}},
-                        &drive};
+extern const Scene kCar{
+    "Machines",
+    "car",
+    "a car on hinge-2 wheels with springs, drives and steering at 0 goes straight ahead at 40 m/s, 20 s",
+    {{"aside", "way aside", "m", 0.1},
+     {"steering", "largest angle of a steered wheel", "degrees", 0.1},
+     {"speed", "speed at the end, off 40 m/s", "%", 2}},
+    &drive};
 
 }  // namespace epode::trials

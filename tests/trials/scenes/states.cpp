@@ -42,7 +42,8 @@ struct Shove {
         const auto add = [&](const dReal* numbers, int count) {
             unsigned char bytes[4 * sizeof(dReal)];
             std::memcpy(bytes, numbers, size_t(count) * sizeof(dReal));
-            for (size_t i = 0; i < size_t(count) * sizeof(dReal); ++i) hash = (hash ^ bytes[i]) * 1099511628211u;
+            for (size_t i = 0; i < size_t(count) * sizeof(dReal); ++i)
+                hash = (hash ^ bytes[i]) * 1099511628211u;
         };
         for (dBodyID body : bodies_of(stage.world)) {
             add(dBodyGetPosition(body), 3);
@@ -58,7 +59,10 @@ struct Shove {
         dWorldGetState(stage.world, bytes.data(), bytes.size());
         return bytes;
     }
-    bool restore(const std::vector<char>& bytes) { return dWorldSetState(stage.world, bytes.data(), bytes.size()); }
+    bool restore(const std::vector<char>& bytes)
+    {
+        return dWorldSetState(stage.world, bytes.data(), bytes.size());
+    }
 };
 
 class Continuation {
@@ -138,10 +142,13 @@ void restore_all(Run& run)
 
 }  // namespace
 
-extern const Scene kSnapshots{"States and events",
-                              "snapshots",
-                              "36 crates are shoved by a kinematic box; the state of step 90 is restored in six ways (C6)",
-                              {{"differ", "steps with other bits than those of the first run", "1", 0}},
-                              &restore_all};
+extern const Scene kSnapshots{
+    "States and events",
+    "snapshots",
+    "36 crates are shoved by a kinematic box; the state of step 90 is restored in six ways (C6)",
+    {{"differ", "steps with other bits than those of the first run", "1", 0}},
+    &restore_all,
+    false,
+    true};
 
 }  // namespace epode::trials

@@ -102,7 +102,8 @@ bool set_stops(dJointID joint, const Range& range)
     dJointSetAxisContinuous(joint, 0, 1);
     dJointSetHingeParam(joint, dParamLoStop, range.low);
     dJointSetHingeParam(joint, dParamHiStop, range.high);
-    return dJointGetHingeParam(joint, dParamLoStop) == range.low && dJointGetHingeParam(joint, dParamHiStop) == range.high;
+    return dJointGetHingeParam(joint, dParamLoStop) == range.low &&
+           dJointGetHingeParam(joint, dParamHiStop) == range.high;
 }
 
 void turn_disc(Run& run, const Range& range)
@@ -129,7 +130,8 @@ void turn_disc(Run& run, const Range& range)
 void stop_after_turns(Run& run)
 {
     for (const char* law : {"rest", "speed"}) run.record(law, 0);
-    for (const Range& range : {Range{-3.49, 0.785, -2}, Range{-0.1, 4.712, 2}, Range{-6.28, 6.28, 2}, Range{0, 18.85, 2}})
+    for (const Range& range :
+         {Range{-3.49, 0.785, -2}, Range{-0.1, 4.712, 2}, Range{-6.28, 6.28, 2}, Range{0, 18.85, 2}})
         turn_disc(run, range);
 }
 
@@ -138,7 +140,8 @@ void stop_after_turns(Run& run)
 extern const Scene kStopNearHalfTurn{
     "Joints",
     "stop_near_half_turn",
-    "a motor drives an arm at 10 rad/s against stops of 3.1 and 3.14159 rad of hinges and universal joints, 4 s (C4)",
+    "a motor drives an arm at 10 rad/s against stops of 3.1 and 3.14159 rad of hinges and universal joints, "
+    "4 s (C4)",
     {{"beyond", "largest turn beyond the stop", "rad", 0.16},
      {"rest", "turn of the arm that has come to rest, off the stop", "rad", 0.02},
      {"rate", "rate then", "rad/s", 0.02}},

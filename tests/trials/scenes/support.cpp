@@ -71,18 +71,32 @@ enum class Loss { kDestroyed, kMoved, kSensor, kBits, kShrunk, kSinks, kLowest, 
 void take_away(Stage& stage, Pile& pile, Loss loss)
 {
     switch (loss) {
-        case Loss::kDestroyed: dGeomDestroy(pile.platform); break;
-        case Loss::kMoved: dGeomSetPosition(pile.platform, 10, 0, kTop - 0.1); break;
-        case Loss::kSensor: dGeomSetSensor(pile.platform, 1); break;
-        case Loss::kBits: dGeomSetCategoryBits(pile.platform, 0), dGeomSetCollideBits(pile.platform, 0); break;
-        case Loss::kShrunk: dGeomBoxSetLengths(pile.platform, 0.1, 0.1, 0.1); break;
-        case Loss::kSinks: dBodySetLinearVel(pile.carrier, 0, 0, -2); break;
+        case Loss::kDestroyed:
+            dGeomDestroy(pile.platform);
+            break;
+        case Loss::kMoved:
+            dGeomSetPosition(pile.platform, 10, 0, kTop - 0.1);
+            break;
+        case Loss::kSensor:
+            dGeomSetSensor(pile.platform, 1);
+            break;
+        case Loss::kBits:
+            dGeomSetCategoryBits(pile.platform, 0), dGeomSetCollideBits(pile.platform, 0);
+            break;
+        case Loss::kShrunk:
+            dGeomBoxSetLengths(pile.platform, 0.1, 0.1, 0.1);
+            break;
+        case Loss::kSinks:
+            dBodySetLinearVel(pile.carrier, 0, 0, -2);
+            break;
         case Loss::kLowest:
             dGeomDestroy(dBodyGetFirstGeom(pile.stacked[0]));
             dBodyDestroy(pile.stacked[0]);
             pile.stacked.erase(pile.stacked.begin());
             break;
-        case Loss::kGravity: dWorldSetGravity(stage.world, 0, 0, kGravity); break;
+        case Loss::kGravity:
+            dWorldSetGravity(stage.world, 0, 0, kGravity);
+            break;
     }
 }
 
@@ -118,21 +132,23 @@ void lose(Run& run, Loss loss)
 void lose_all(Run& run)
 {
     run.record("apart", 0);
-    for (Loss loss : {Loss::kDestroyed, Loss::kMoved, Loss::kSensor, Loss::kBits, Loss::kShrunk, Loss::kSinks, Loss::kLowest,
-                      Loss::kGravity})
+    for (Loss loss : {Loss::kDestroyed, Loss::kMoved, Loss::kSensor, Loss::kBits, Loss::kShrunk, Loss::kSinks,
+                      Loss::kLowest, Loss::kGravity})
         lose(run, loss);
     cut(run);
 }
 
 constexpr const char* kUnaware =
-    "With contact joints the world does not know what lies on what, and nothing wakes a body (guide/sleeping.md)";
+    "With contact joints the world does not know what lies on what, and nothing wakes a body "
+    "(guide/sleeping.md)";
 
 }  // namespace
 
 extern const Scene kLostSupport{
     "Rest",
     "lost_support",
-    "a pile on a platform that is destroyed, moved, made a sensor, loses its bits, shrinks or sinks; a cube below others is "
+    "a pile on a platform that is destroyed, moved, made a sensor, loses its bits, shrinks or sinks; a cube "
+    "below others is "
     "destroyed; gravity turns; a hinge is cut (C19)",
     {{"woken", "bodies that sleep two steps later", "1", 0, {{kCallback, 1, kUnaware}}},
      {"fall", "fall in 0.3 s, off g t^2 / 2", "%", &fall_bound, {{kCallback, 100, kUnaware}}},

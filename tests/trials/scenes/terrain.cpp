@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Surfaces of height fields and triangle meshes act as the surface that they describe: nothing falls through an edge, a slope is a
-// slope, and a border between two fields is not there.
+// A slope is a slope, whether of a height field, a mesh or a box, and a hole is a hole, whether its triangles are missing or rejected by
+// a callback.
 #include "measure.h"
 #include "surfaces.h"
 
@@ -11,125 +11,6 @@
 namespace epode::trials {
 
 namespace {
-
-const double kRoot2 = std::sqrt(2.0);
-
-double roof(double x, double) { return 2 - std::fabs(x); }
-
-// Of a point outside the roof z = 2 - |x|: to a face, or to the ridge.
-double distance_to_roof(Vec p)
-{
-    const double above = (p.z - 2 + std::fabs(p.x)) / kRoot2, along = (std::fabs(p.x) - p.z + 2) / kRoot2;
-    return along >= 0 || above < 0 ? above : std::hypot(p.x, p.z - 2);
-}
-
-struct Fallen {
-    dBodyID body;
-    double radius;
-};
-
-// What is small for its speed is continuous, as the guide recommends.
-constexpr double kSpeed = 5;  // m/s
-
-void add_solids(Stage& stage, std::vector<Fallen>& list, double top, bool only_balls)
-{
-    for (double radius : {0.01, 0.02, 0.05, 0.1, 0.3}) {
-        for (double x : {0.0, 0.001, 0.005, 0.02, 0.1}) {
-            const Vec at{x, 0.013, top + radius + 0.1};
-            const double ball = 1000 * 4 / 3.0 * kPi * radius * radius * radius;
-            list.push_back({stage.ball(radius, ball, at), radius});
-            if (only_balls) continue;
-            for (const Turn& lying : {turn(kX, kPi / 2), turn(kY, kPi / 2)}) {
-                list.push_back({stage.capsule(radius, 4 * radius, 4 * ball, at, lying), radius});
-                list.push_back({stage.cylinder(radius, 4 * radius, 3 * ball, at, lying), radius});
-            }
-        }
-    }
-    for (const Fallen& each : list)
-        if (each.radius < kSpeed * stage.h) dGeomSetContinuous(dBodyGetFirstGeom(each.body), dContinuousOn);
-}
-
-void fall_on_roof(Run& run, bool field)
-{
-    Stage stage(run);
-    stage.toys();
-    stage.bodies_meet = false;
-    stage.surface.friction = 0.5;
-    const Grid grid{-5, -5, 10, 10, 1};
-    field ? height_field(stage, grid, roof) : grid_mesh(stage, grid, roof);
-    std::vector<Fallen> list;
-    add_solids(stage, list, 2, false);
-    stage.advance(1.2, [&] {
-        for (const Fallen& each : list) {
-            const Vec at = position(each.body);
-            if (std::fabs(at.x) > 4.5) continue;
-            const double depth = each.radius - distance_to_roof(at);
-            run.record("depth", 1000 * (depth - std::max(0.05 * each.radius, 5e-4)));
-        }
-    });
-}
-
-// One sample of height 1 among zeros, the surface between them lower than either way to cut a cell.
-void fall_on_peak(Run& run, bool field)
-{
-    Stage stage(run);
-    stage.toys();
-    stage.bodies_meet = false;
-    stage.surface.friction = 0.5;
-    const Height peak = [](double x, double y) { return x == 0 && y == 0 ? 1.0 : 0.0; };
-    const Grid grid{-5, -5, 10, 10, 1};
-    field ? height_field(stage, grid, peak) : grid_mesh(stage, grid, peak);
-    std::vector<Fallen> list;
-    add_solids(stage, list, 1, true);
-    run.record("through", 0);
-    stage.advance(1.2, [&] {
-        for (const Fallen& each : list) {
-            const Vec at = position(each.body);
-            const double low = std::max(0.0, 1 - std::fabs(at.x) - std::fabs(at.y));
-            if (std::fabs(at.x) < 4.5 && std::fabs(at.y) < 4.5) run.record("through", at.z < low ? 1 : 0);
-        }
-    });
-}
-
-// Along the outermost row of cells and out over the border.
-void roll_out(Run& run, bool field)
-{
-    Stage stage(run);
-    stage.bodies_meet = false;
-    const Height level = [](double, double) { return 0.0; };
-    const Grid grid{-5, -5, 10, 10, 1};
-    field ? height_field(stage, grid, level) : grid_mesh(stage, grid, level);
-    std::vector<Fallen> list;
-    for (double radius : {0.05, 0.3}) {
-        for (double y : {4.6, 4.9}) {
-            list.push_back({stage.ball(radius, 1, {3.2, y, radius}), radius});
-            set_velocity(list.back().body, {1, 0, 0}, {0, 1 / radius, 0});
-        }
-    }
-    stage.advance(2.2, [&] {
-        for (const Fallen& each : list) {
-            const Vec at = position(each.body);
-            if (at.x < 5) run.record("through", at.z < 0.9 * each.radius ? 1 : 0);
-        }
-    });
-}
-
-void fall_on_edges(Run& run)
-{
-    for (bool field : {true, false}) {
-        fall_on_roof(run, field);
-        fall_on_peak(run, field);
-        roll_out(run, field);
-    }
-}
-
-// What falls 0.1 m is found so deep in a slope of 45 degrees.
-double impact_depth(const Setting& setting) { return 1000 * 1.6 / kRoot2 * setting.h() + 1; }
-// A quarter of the radius less a twentieth, of the largest that is continuous.
-double continuous_depth(const Setting& setting)
-{
-    return setting.step_size == 0 ? 0.2 * 50 : setting.step_size == 1 ? 0.2 * 20 : 0;
-}
 
 enum class Ground { kField, kMesh, kRough, kBox };
 const double kSlope = 20 * kPi / 180;
@@ -171,7 +52,8 @@ void lie_on_slope(Run& run, Ground kind, double friction)
     stage.surface.friction = friction;
     build_slope(stage, kind);
     const dBodyID cube = stage.box({0.4, 0.4, 0.4}, 2, 0.2 * kUp - 3 * kY, kTilt),
-                  can = stage.cylinder(0.2, 0.3, 2, 0.15 * kUp - 1.5 * kY, kTilt), ball = stage.ball(0.2, 2, 0.2 * kUp);
+                  can = stage.cylinder(0.2, 0.3, 2, 0.15 * kUp - 1.5 * kY, kTilt),
+                  ball = stage.ball(0.2, 2, 0.2 * kUp);
     const dBodyID cart = friction > 0.5 ? add_cart(stage, 2) : nullptr;
     stage.advance(0.5);
     const std::vector<dBodyID> still = cart ? std::vector{cube, can, cart} : std::vector{cube, can};
@@ -191,7 +73,8 @@ void lie_on_slope(Run& run, Ground kind, double friction)
         return;
     }
     judge("roll", ball, first[2], kGravity * std::sin(kSlope) * 5 / 7);
-    for (size_t i = 0; i < still.size(); ++i) run.record("stay", 1000 * length(position(still[i]) - start[i]));
+    for (size_t i = 0; i < still.size(); ++i)
+        run.record("stay", 1000 * length(position(still[i]) - start[i]));
 }
 
 void lie_on_slopes(Run& run)
@@ -215,7 +98,8 @@ void lie_on_hole(Run& run, bool by_callback)
     for (int i = 0; i < 5; ++i) {
         for (int j = 0; j < 5; ++j) {
             const dTriIndex a = dTriIndex(6 * i + j);
-            if (by_callback || 5 * i + j != 12) indices.insert(indices.end(), {a, a + 6, a + 1, a + 1, a + 6, a + 7});
+            if (by_callback || 5 * i + j != 12)
+                indices.insert(indices.end(), {a, a + 6, a + 1, a + 1, a + 6, a + 7});
         }
     }
     const dGeomID floor = mesh(stage, corners, indices);
@@ -224,7 +108,8 @@ void lie_on_hole(Run& run, bool by_callback)
     stage.advance(4);
     const double right = std::sqrt(kRadius * kRadius - kHalf * kHalf), off = position(ball).z - right;
     // A depth d at an edge whose normal leans lets the ball down by d r / z.
-    run.record(by_callback ? "rejected" : "missing", 1000 * std::max(off, -off - stage.layer() * kRadius / right));
+    run.record(by_callback ? "rejected" : "missing",
+               1000 * std::max(off, -off - stage.layer() * kRadius / right));
 }
 
 void lie_on_holes(Run& run)
@@ -234,34 +119,25 @@ void lie_on_holes(Run& run)
 
 }  // namespace
 
-extern const Scene kEdges{"Surfaces",
-                          "edges",
-                          "balls, capsules and cylinders of 1 cm to 0.3 m fall on a ridge and a peak of fields and meshes (C7)",
-                          {{"depth",
-                            "depth beyond 0.5 mm or a twentieth of the radius",
-                            "mm",
-                            0,
-                            {{kCallback, &impact_depth, "Contact joints act once bodies overlap (guide/reports.md)"},
-                             {kAll, &continuous_depth, "Continuous bodies stop an eighth of their thickness deep (guide/continuous.md)"}}},
-                           {"through", "balls that fell through a peak, or before they left the border", "1", 0}},
-                          &fall_on_edges};
+extern const Scene kSlopes{
+    "Surfaces",
+    "slopes",
+    "cubes, cylinders, balls and carts on a slope of 20 degrees of field, mesh, rough mesh and box (C13)",
+    {{"stay", "way with mu 0.8 in 2 s", "mm", 2},
+     {"roll", "acceleration of the ball, off 5/7 g sin 20", "%", 2},
+     {"slide", "acceleration with mu 0.2, off g (sin 20 - mu cos 20)", "%", 2}},
+    &lie_on_slopes};
 
-extern const Scene kSlopes{"Surfaces",
-                           "slopes",
-                           "cubes, cylinders, balls and carts on a slope of 20 degrees of field, mesh, rough mesh and box (C13)",
-                           {{"stay", "way with mu 0.8 in 2 s", "mm", 2},
-                            {"roll", "acceleration of the ball, off 5/7 g sin 20", "%", 2},
-                            {"slide", "acceleration with mu 0.2, off g (sin 20 - mu cos 20)", "%", 2}},
-                           &lie_on_slopes};
-
-extern const Scene kHole{"Surfaces",
-                         "hole",
-                         "a ball of 0.6 m lies on a hole of 0.5 m in a mesh, 4 s",
-                         {{"rejected", "height where a callback rejects the triangles, off the closed form", "mm", 1},
-                          {"missing", "height where the triangles are missing",
-                           "mm",
-                           1,
-                           {{set_of(Method::kSubsteps), 1.5, "What settles keeps a millimetre (guide/sleeping.md)"}}}},
-                         &lie_on_holes};
+extern const Scene kHole{
+    "Surfaces",
+    "hole",
+    "a ball of 0.6 m lies on a hole of 0.5 m in a mesh, 4 s",
+    {{"rejected", "height where a callback rejects the triangles, off the closed form", "mm", 1},
+     {"missing",
+      "height where the triangles are missing",
+      "mm",
+      1,
+      {{set_of(Method::kSubsteps), 1.5, "What settles keeps a millimetre (guide/sleeping.md)"}}}},
+    &lie_on_holes};
 
 }  // namespace epode::trials
