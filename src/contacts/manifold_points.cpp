@@ -59,6 +59,15 @@ struct Rows {
     }
 };
 
+// As it lies now: what stands keeps its side, and what lies on it would push itself along if the normal turned with it.
+Vec3 normal_of(const ManifoldFinding& found, const Pose& pose1, const Pose& pose2, bool second_stands)
+{
+    const Vec3 n = widen(found.normal);
+    if (!second_stands) return pose1.R * n;
+    const Mat3 turn = {widen(found.turn[0]), widen(found.turn[1]), widen(found.turn[2])};
+    return pose2.R * transposed_times(turn, n);
+}
+
 }  // namespace
 
 void fix_points(const ManifoldMaker& maker, int part, const Pose& A, const Pose& B, ContactAnchors& anchors)
@@ -86,7 +95,7 @@ bool place_points(const Pose& pose1, const Pose& pose2, Vec3 x1, const Vec3* x2,
     static_assert(kManifoldPoints == 4);
     const int count = was.manifold.count;
     const ContactAnchors& anchors = was.found.anchors;
-    const Vec3 n = pose1.R * widen(was.found.normal);
+    const Vec3 n = normal_of(was.found, pose1, pose2, !x2);
     manifold.normal = narrow(n);
     const Places at1 = places_of(pose1, anchors.a1), at2 = places_of(pose2, anchors.a2);
     const Quad half = quad(Real(0.5));
@@ -106,6 +115,15 @@ bool place_points(const Pose& pose1, const Pose& pose2, Vec3 x1, const Vec3* x2,
         point.normal_impulse = normal_impulse;
     }
     return (bits(separation <= quad(0)) & ((1u << count) - 1)) != 0;
+}
+
+void place_found(const ManifoldMaker& maker, int part, Vec3 x1, const Vec3* x2, ContactManifold& manifold)
+{
+    for (int i = 0; i < manifold.count; ++i) {
+        const Vec3 at = load(maker.source(part, i).pos);
+        manifold.points[i].r1 = narrow(at - x1);
+        if (x2) manifold.points[i].r2 = narrow(at - *x2);
+    }
 }
 
 ManifoldMaker::ManifoldMaker(std::span<CachedManifold> parts) : parts_(parts)

@@ -48,6 +48,10 @@ Real largest_reach2(const float (&at)[3][kManifoldPoints]);
 bool place_points(const Pose& pose1, const Pose& pose2, Vec3 x1, const Vec3* x2, Real layer,
                   const CachedManifold& was, ContactManifold& manifold);
 
+// The arms of points that have just been found at the present poses. Anchors know them to a float of how far they are from their geom's
+// place: a ball that rests far out on a plane would roll off.
+void place_found(const ManifoldMaker& maker, int part, Vec3 x1, const Vec3* x2, ContactManifold& manifold);
+
 // Points of `part` take the impulses of the nearest points of `was`, within a tenth of `size` in the frame of
 // either body; so does the manifold its couple.
 void inherit_impulses(const CachedManifold& was, Real size, CachedManifold& part);

@@ -117,6 +117,7 @@ class PairUpdate {
         if (was.changes != changes() || may_have_changed()) return false;
         const bool full =
             knows_corners() || (pair_.max_manifolds == 1 && old[0].manifold.count == kManifoldPoints);
+        if (!full && (is_round(g1_) || is_round(g2_))) return false;
         const Real size = this->size();
         const Real max_motion = full ? kReuse * size : kReuseLayer * layer();
         const Mat3 turn = {widen(was.turn[0]), widen(was.turn[1]), widen(was.turn[2])};
@@ -169,13 +170,13 @@ class PairUpdate {
         out.margin = margin();
         const Aabb &box1 = box_of(g1_), &box2 = box_of(g2_);
         if (!apart_ && overlap(box1, box2)) epode::collide(g1_, g2_, out);
-        if (out.count > 0) return take(out, pose1_, pose2_, old);
+        if (out.count > 0) return take(out, pose1_, pose2_, old, true);
         const SpeculativeMotion& soon = settings_.soon;
         if (!draws_near() || !overlap(soon.box(pair_.body1, box1), soon.box(pair_.body2, box2))) return;
         const Pose soon1 = soon.pose(pair_.body1, pose1_), soon2 = soon.pose(pair_.body2, pose2_);
         if (can_be_separated() && find_separating_axis(soon1, soon2)) return;
         collide_at(g1_, soon1, g2_, soon2, out);
-        take(out, soon1, soon2, {});
+        take(out, soon1, soon2, {}, false);
         if (one_stands() && (is_round(g1_) || is_round(g2_)))
             for (CachedManifold& part : parts_.first(pair_.count)) look_back(part, soon1);
         drop_passed();
@@ -237,39 +238,37 @@ class PairUpdate {
         pair_.count = std::uint8_t(end - parts_.begin());
     }
 
-    // The contacts of the two at A and B.
-    void take(const ContactArray& out, const Pose& A, const Pose& B, std::span<const CachedManifold> old)
+    // The contacts of the two at A and B; `present`: where they are.
+    void take(const ContactArray& out, const Pose& A, const Pose& B, std::span<const CachedManifold> old,
+              bool present)
     {
         ManifoldMaker maker(parts_);
         for (int i = 0; i < out.count; ++i)
             if (sound(*out.at(i))) maker.add(*out.at(i));
         maker.finish();
         pair_.count = std::uint8_t(maker.used());
-        for (int part = 0; part < pair_.count; ++part) settle(part, maker, A, B, old);
+        for (int part = 0; part < pair_.count; ++part) settle(part, maker, A, B, old, present);
     }
 
     // Polyhedra touch at corners and where edges cross, and all of these nearby can be told at once. Round
     // solids gain little by it: half a millimetre of depth in the mean of a pile of all kinds. Functions of
     // the program may mean anything.
-    bool knows_corners() const
-    {
-        return settings_.foresees && pair_.max_manifolds == 1 && !pair_.asked && !is_round(g1_) &&
-               !is_round(g2_);
-    }
+    bool knows_corners() const { return looks_ahead() && !is_round(g1_) && !is_round(g2_); }
+    bool looks_ahead() const { return settings_.foresees && pair_.max_manifolds == 1 && !pair_.asked; }
 
     // Corners that do not touch yet are contacts, too: those that will before the two are collided again; and
     // of a swift pair more, for who lands on a corner turns about it, and the corner opposite comes down with
     // twice the speed and more.
     Real margin() const
     {
-        if (!knows_corners()) return 0;
+        if (!looks_ahead()) return 0;
         const Real size = this->size(), way = this->way();
         return way > kSwift * size ? std::min(2 * way, kNear * size) : kReuse * size;
     }
 
     // Anchors, and impulses from the points that were near.
     void settle(int index, const ManifoldMaker& maker, const Pose& A, const Pose& B,
-                std::span<const CachedManifold> old)
+                std::span<const CachedManifold> old, bool present)
     {
         CachedManifold& part = parts_[std::size_t(index)];
         ManifoldFinding& found = part.found;
@@ -283,6 +282,7 @@ class PairUpdate {
             manifold.points[i].normal_impulse = 0, manifold.points[i].friction_impulse = {};
         fix_points(maker, index, A, B, found.anchors);
         place(part, part);
+        if (present) place_found(maker, index, x1_, pair_.body2 ? &x2_ : nullptr, manifold);
         const Real size = this->size();
         for (const CachedManifold& was : old) inherit_impulses(was, size, part);
     }

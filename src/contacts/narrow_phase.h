@@ -5,7 +5,8 @@
 // keep the points they had, fixed in both bodies, and only the gaps are measured again: a tenth of the cost,
 // and points of a settled pile do not wander. How much is hardly: 2 % of the smaller one's size for a
 // manifold that misses nothing, as do four points under a face, and those of two polyhedra, which are found
-// with a margin of as much; a quarter of the surface layer for all others. What is collided again finds its
+// with a margin of as much; a quarter of the surface layer for others. Round solids that do not stand on a face are collided in every step: where they touch is
+// no point of them, and one that rolls would leave its normal and its points behind, and be pushed on by them. What is collided again finds its
 // impulses by place. Pairs that did not touch get a separation test first (contacts/pair_separation.h).
 #pragma once
 

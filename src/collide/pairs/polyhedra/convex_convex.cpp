@@ -269,9 +269,12 @@ void make_manifold(const ConvexView& a, const ConvexView& b, Vec3 normal, Real d
         single(sa, sb, normal, depth, out);
 }
 
+// Corners and rims: of what is round all over no point can be told before it touches.
+bool has_faces(const ConvexView& v) { return FlatSolid::is_flat(v) || v.kind == SolidKind::kCylinder; }
+
 Real margin_of(const ConvexView& a, const ConvexView& b, const ContactSink& sink)
 {
-    return FlatSolid::is_flat(a) && FlatSolid::is_flat(b) ? sink.margin() : Real(0);
+    return has_faces(a) && has_faces(b) ? sink.margin() : Real(0);
 }
 
 }  // namespace
