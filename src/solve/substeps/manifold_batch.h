@@ -3,7 +3,7 @@
 //
 // Contact manifolds of world-managed contacts (rows/contact_manifold.h) as the kernels read them: sixteen
 // manifolds side by side, or eight in the first half of the lanes, none of which shares a dynamic body with
-// another. 76 bytes per point and lane, 142 per lane; with manifold friction 56 and 218. If a lane's manifold
+// another. 80 bytes per point and lane, 144 per lane; with manifold friction 68 and 236. If a lane's manifold
 // has fewer points, the missing ones have a far separation and do nothing.
 #pragma once
 
@@ -21,24 +21,21 @@ static_assert(sizeof(FloatMotion) == 64);
 
 struct ManifoldLanes {
     BroadLaneVec3 r1, r2;
-    BroadLanes separation;        // at the beginning of the step
-    BroadLanes initial_velocity;  // n . u at that time, for restitution
-    BroadLanes
-        last_separation;       // seen by the last correcting visit; speculative points stay alone in relaxing
-    BroadLanes p[3];           // along n, t1, t2: impulses of one substep
-    BroadLanes sum[3];         // of all substeps
-    BroadLanes normal_mass;    // effective mass of the normal row: 1 / (J M^-1 J^T)
+    BroadLanes separation;          // at the beginning of the step
+    BroadLanes initial_velocity;    // n . u at that time, for restitution
+    BroadLanes p[3];                // along n, t1, t2: impulses of one substep
+    BroadLanes sum[3];              // of all substeps
+    BroadLanes k[kManifoldPoints];  // of the normal rows: J M^-1 J^T of this point with those up to it
+    BroadLanes normal_mass;         // effective mass of the normal row: 1 / (J M^-1 J^T)
     BroadLanes friction_mass;  // of both friction rows: 1 / (a bound of the eigenvalues of their 2 x 2 block)
-    BroadLanes k_n1, k_n2;     // friction_mass times the coupling with the normal row
 };
 
 // Additional numbers of manifolds with compliance or rolling friction; zero in the lanes of others.
 struct ManifoldExtra {
-    BroadLanes compliance, bias_rate;        // of the spring: C; velocity per penetration
-    BroadLanes mass_scale[kManifoldPoints];  // of a point: factor of the effective mass and of p
-    BroadLanes rolling_friction;             // m
-    BroadLanes rolling_mass;                 // 1 / (a bound of the eigenvalues of I1^-1 + I2^-1)
-    BroadLaneVec3 rolling, rolling_sum;      // of one substep; over all
+    BroadLanes compliance, bias_rate;    // of the spring: C; velocity per penetration
+    BroadLanes rolling_friction;         // m
+    BroadLanes rolling_mass;             // 1 / (a bound of the eigenvalues of I1^-1 + I2^-1)
+    BroadLaneVec3 rolling, rolling_sum;  // of one substep; over all
 };
 
 // The separation of points that a lane lacks: so far that they never act. (Zeros would be a contact at the
@@ -48,9 +45,9 @@ inline constexpr float kFarSeparation = 1e20f;
 // A point of a manifold with manifold friction. Its arms matter only as a = r x n, since n . (w x r) = w . a.
 struct NormalLanes {
     BroadLaneVec3 a1, a2;
-    BroadLanes x, y;                                           // position along t1, t2, from the anchor
-    BroadLanes separation, initial_velocity, last_separation;  // as in ManifoldLanes
-    BroadLanes p, sum, normal_mass;                            // of the normal row
+    BroadLanes x, y;                                     // position along t1, t2, from the anchor
+    BroadLanes separation, initial_velocity;             // as in ManifoldLanes
+    BroadLanes p, sum, k[kManifoldPoints], normal_mass;  // of the normal row
 };
 
 // Manifold friction (manifold_friction.inc): a force along t1 and t2 at an anchor, which is the mean of the
@@ -78,9 +75,9 @@ struct ManifoldBatch {
         surface_velocity;  // target u: a vector of the world; once prepared, along t1 (x) and t2 (y)
     BroadLanes mu;
     BroadLanes restitution, restitution_threshold;
-    BroadLanes mass_scale,
-        bias_rate;      // of a penetrating point: factor of the effective mass and of p; velocity per depth
-    BroadLanes share;   // factor of the effective mass of a speculative point: 1 / points
+    BroadLanes softness, mass_scale,
+        bias_rate;      // of a penetrating point: of J M^-1 J^T; 1 / (1 + it); velocity per depth
+    BroadLanes share;   // 1 / points
     BroadLanes behind;  // share of the relative translation by which the point lags behind body 1
 };
 

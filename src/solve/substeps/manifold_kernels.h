@@ -17,6 +17,8 @@ namespace epode {
 struct ManifoldSweep {
     float per_hs;             // 1 / hs
     float max_bias_velocity;  // largest velocity that removes penetration
+    float swift;              // approach above which a manifold is worth more sweeps over its normal rows
+    float just_closed;        // gap that counts as none after the motion
 };
 
 // Bodies as sweeps see them. What sweeps do to the floats becomes a change of the doubles, so that a body
@@ -39,12 +41,12 @@ struct ManifoldSources {
 
 // Soft constraint of penetrating points (ManifoldBatch): if both bodies move, if one does.
 struct ManifoldSprings {
-    float bias_rate[2], mass_scale[2];
+    float bias_rate[2], softness[2];
 };
 
 struct ManifoldKernels {
     const char* name;
-    // Writes masses, material, n, surface velocity, bias_rate and mass_scale of the batch, and what `prepare`
+    // Writes masses, material, n, surface velocity, bias_rate and softness of the batch, and what `prepare`
     // reads of its points.
     void (*gather)(ManifoldBatch& batch, ManifoldLanes* points, const ManifoldSources& from,
                    const ManifoldSprings& springs);
@@ -57,7 +59,7 @@ struct ManifoldKernels {
     void (*correct)(const ManifoldBatch* batches, int first, int last, ManifoldLanes* points,
                     FloatMotion* motions, const ManifoldSweep& sweep);
     void (*relax)(const ManifoldBatch* batches, int first, int last, ManifoldLanes* points,
-                  FloatMotion* motions);
+                  FloatMotion* motions, const ManifoldSweep& sweep);
     // Writes to along1 and along2 each point's part of the sum of batch.friction (contact_friction.inc).
     void (*share_friction)(const ManifoldBatch& batch, BroadLanes* along1, BroadLanes* along2);
     // Above 0 in the lanes that a blow has struck (manifold_math.inc).

@@ -31,13 +31,16 @@ struct ManifoldPalette : Palette {
     int fixed = 0;  // the first free colour against what cannot move
 };
 
+// Times a substep: approaches above it are landings, those of what rests are of the order of what gravity
+// adds and takes.
+constexpr Real kSwift = Real(2.5);  // m/s^2
+
 ManifoldSprings springs_of(const Substep& step)
 {
     ManifoldSprings out;
     for (const bool fixed : {false, true}) {
         const RowAim aim = default_contact(step, 1, fixed, kContactFrequency, kDampingRatio);
-        out.bias_rate[fixed] = float(aim.rate),
-        out.mass_scale[fixed] = float(1 / (1 + aim.C));  // 1 - C/(1 + C)
+        out.bias_rate[fixed] = float(aim.rate), out.softness[fixed] = float(aim.C);
     }
     return out;
 }
@@ -51,7 +54,8 @@ void stiffen(const ManifoldSources& from, const Substep& step, ManifoldBatch& ba
         if (!(frequency > kContactFrequency)) continue;
         const bool fixed = !(a.inv_mass > 0) || !(b.inv_mass > 0);
         const RowAim aim = default_contact(step, 1, fixed, frequency, kDampingRatio);
-        batch.bias_rate[lane] = float(aim.rate), batch.mass_scale[lane] = float(1 / (1 + aim.C));
+        batch.bias_rate[lane] = float(aim.rate), batch.softness[lane] = float(aim.C);
+        batch.mass_scale[lane] = 1 / (1 + batch.softness[lane]);
     }
 }
 
@@ -82,6 +86,7 @@ bool ManifoldSet::prepare(const RowSystem& system, const Substep& step, const Ta
     if (count == 0) return true;
     hs_ = step.hs;
     sweep_.per_hs = float(1 / step.hs);
+    sweep_.swift = float(kSwift * step.hs), sweep_.just_closed = 1e-6f + float(step.hs) * sweep_.swift;
     sweep_.max_bias_velocity = float(default_contact(step, 1, false).max_bias_velocity);
     const int bodies = int(system.bodies.size());
     motions_ = arena.take_zeroed<FloatMotion>(bodies + 1);
@@ -331,7 +336,7 @@ void ManifoldSet::visit(Visit what, const ManifoldBodies& bodies, int first, int
         case Visit::kCorrect:
             return kernels_->correct(batches, first, last, points, motions, sweep_);
         case Visit::kRelax:
-            return kernels_->relax(batches, first, last, points, motions);
+            return kernels_->relax(batches, first, last, points, motions, sweep_);
     }
 }
 

@@ -263,7 +263,7 @@ TEST_P(RestingPairs, do_not_differ_from_pairs_that_are_looked_at)
     Scene few(stepper, false), whole(stepper, true);
     Random random(unsigned(seed) * 7919u + 1u);
     int few_awake = 0, woken = 0, before = 0;
-    const int steps = 900;
+    const int steps = 1200;
     for (int i = 0; i < steps; ++i) {
         // Calls come in bursts, so that all may fall asleep between them.
         const unsigned call = unsigned(random());
