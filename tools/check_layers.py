@@ -71,7 +71,8 @@ ROOMS = {
         "exact": {"", "common", "exact/factor", "exact/problem", "exact/extended", "exact/small"},
         "joints": {"", "common"},
         "sweeps": {"", "common", "joints"},
-        "substeps": {"", "common", "joints", "sweeps", "exact/factor"},
+        "substeps/impacts": set(),
+        "substeps": {"", "common", "joints", "sweeps", "exact/factor", "substeps/impacts"},
     },
     "collide": {
         "": set(),

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "solve/substeps/impacts/restitution.h"
 #include "solve/substeps/manifold_set.h"
-#include "solve/substeps/restitution.h"
 
 namespace epode {
 namespace {

@@ -9,7 +9,7 @@
 //   x += hs v
 //   solve joints, then contacts, without it   relax: removes the velocity that the correction added
 //
-// After the last substep, what approached fast and carried load rebounds (solve/substeps/restitution.h). Errors of joints
+// After the last substep, what approached fast and carried load rebounds (solve/substeps/impacts/restitution.h). Errors of joints
 // are measured at every pose, so mass ratios that would need hundreds of sweeps settle in ten substeps; on
 // regular stacks there is no gain. The impulse of a step is the sum over its substeps; the next step starts
 // from its n-th part. The reported residual is that of the last substep after its correcting solve, because
@@ -26,10 +26,10 @@
 #include "solve/common/residual.h"
 #include "solve/joints/joint_lanes.h"
 #include "solve/solver.h"
+#include "solve/substeps/impacts/restitution.h"
 #include "solve/substeps/joint_network.h"
 #include "solve/substeps/manifold_set.h"
 #include "solve/substeps/manifold_steps.h"
-#include "solve/substeps/restitution.h"
 #include "solve/substeps/substep_contacts.h"
 
 namespace epode {

@@ -11,7 +11,7 @@
 // approach with e s (Moreau's law: without it impacts create energy). For the equality rows of joints, which
 // pull too, c is their target. The substeps have brought what touches to a common velocity, so with the
 // rebounding contacts alone, one after the other, a ball that hits a row of four would lose half of its energy:
-// the three behind the first must go with it.
+// the three behind the first must go with it. Then friction under the larger impulses (impact_friction.h).
 //
 // Gauss-Seidel, island by island, until nothing changes any more; rows whose bodies have not changed are not
 // visited again, so that far away from what rebounds there is nothing to do.
@@ -21,6 +21,7 @@
 
 #include "base/arena.h"
 #include "rows/row_system.h"
+#include "solve/substeps/impacts/impact.h"
 
 namespace epode {
 
@@ -41,8 +42,9 @@ class Restitution {
         Real c;
         Real p;  // impulse of the substeps
         bool pulls;
-        int block, source;     // of the row; -1: it is
-        ManifoldPoint* point;  // of a manifold
+        int block, source;  // of the row; -1: it is
+        ContactManifold* manifold;
+        ManifoldPoint* point;  // of it
         Real d = 0, dp = 0;    // J M^-1 J^T; change of p
         int seen = 0;
     };
@@ -57,7 +59,11 @@ class Restitution {
     void add(const ImpactRow& row, Real rebound);
     Real velocity_of(const ImpactRow& row) const;
     bool sweep();
+    bool rub(Arena& arena);
+    int last_change(int body1, int body2) const;
+    void touch(int body1, int body2);
     void store() const;
+    ImpactBodies bodies() const { return {system_.bodies}; }
 
     RowSystem& system_;
     std::span<const float> rebounds_;

@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
-#include "solve/substeps/restitution.h"
+#include "solve/substeps/impacts/restitution.h"
 
 #include <algorithm>
 
 #include "rows/wrench.h"
+#include "solve/substeps/impacts/impact_friction.h"
 
 namespace epode {
 namespace {
 
 constexpr int kSweeps = 50;
 constexpr Real kSettled = Real(1e-4);  // velocity that is left, of the fastest rebound
-
-void push(SolverBody& b, Real dp, Vec3 lin, Vec3 ang)
-{
-    b.v += (b.inv_mass * dp) * lin;
-    b.w += dp * (b.inv_inertia * ang);
-}
 
 }  // namespace
 
@@ -57,8 +52,46 @@ bool Restitution::apply(std::span<const Row> rows, Arena& arena)
         clock_ = 0;
         for (int i = 0; i < kSweeps && sweep(); ++i) {}
         store();
+        if (!rub(arena)) return false;
     }
     return true;
+}
+
+// Friction turns bodies, so that what rebounds may approach again: more impulses, none less, end that.
+bool Restitution::rub(Arena& arena)
+{
+    ImpactFriction friction(system_, arena.take<ImpactFriction::Pair>(int(count_)));
+    if (arena.failed()) return false;
+    for (const ImpactRow& row : list_.first(count_)) {
+        if (row.pulls || !(row.dp > 0)) continue;
+        if (row.point)
+            friction.add(*row.manifold, *row.point);
+        else
+            friction.add(system_.blocks[std::size_t(row.block)], row.block,
+                         system_.numbers[std::size_t(row.source)].p);
+    }
+    friction.solve(kSettled * fastest_, kSweeps);
+    friction.store();
+    for (const ImpactFriction::Pair& pair : friction.pairs()) touch(pair.body1, pair.body2);
+    for (ImpactRow& row : list_.first(count_)) {
+        row.p = row.dp = 0;
+        if (!row.pulls) row.c = std::min(row.c, Real(0));
+    }
+    for (int i = 0; i < kSweeps && sweep(); ++i) {}
+    store();
+    return true;
+}
+
+int Restitution::last_change(int body1, int body2) const
+{
+    return std::max(changed_[std::size_t(body1)], body2 >= 0 ? changed_[std::size_t(body2)] : 0);
+}
+
+void Restitution::touch(int body1, int body2)
+{
+    ++clock_;
+    changed_[std::size_t(body1)] = clock_;
+    if (body2 >= 0) changed_[std::size_t(body2)] = clock_;
 }
 
 int Restitution::row_limit(const SystemPart& from, const SystemPart& to) const
@@ -94,7 +127,7 @@ void Restitution::list_contacts(const SystemPart& from, const SystemPart& to, bo
         const Row& row = system_.rows[std::size_t(block.first)];
         if (!(system_.numbers[std::size_t(block.first)].p > 0) && row.error < 0) continue;
         const Real p = system_.numbers[std::size_t(block.first)].p;
-        add({row, block.body1, block.body2, 0, p, false, k, block.first, nullptr},
+        add({row, block.body1, block.body2, 0, p, false, k, block.first, nullptr, nullptr},
             rebounds_at(block) ? row.restitution_velocity : std::min(row.restitution_velocity, Real(0)));
     }
     for (int k = from.contact_manifolds; k < to.contact_manifolds; ++k) {
@@ -106,7 +139,8 @@ void Restitution::list_contacts(const SystemPart& from, const SystemPart& to, bo
             if (!(point.normal_impulse > 0) && point.separation > 0) continue;
             const Jacobian J{n, cross(widen(point.r1), n), -n, -cross(widen(point.r2), n)};
             const std::size_t at = std::size_t(k * kManifoldPoints + i);
-            add({J, manifold.body1, manifold.body2, 0, Real(point.normal_impulse), false, -1, -1, &point},
+            add({J, manifold.body1, manifold.body2, 0, Real(point.normal_impulse), false, -1, -1, &manifold,
+                 &point},
                 rebounds_.empty() ? Real(0) : Real(rebounds_[at]));
         }
     }
@@ -122,7 +156,7 @@ void Restitution::list_joints(const SystemPart& from, const SystemPart& to, std:
             const RowNumbers& n = system_.numbers[std::size_t(i)];
             const Row& row = block.followed ? rows[std::size_t(i)] : system_.rows[std::size_t(i)];
             if (n.lo > -kInf || n.hi < kInf || row.soft || row.drive) continue;
-            add({row, block.body1, block.body2, row.speed, 0, true, k, i, nullptr}, 0);
+            add({row, block.body1, block.body2, row.speed, 0, true, k, i, nullptr, nullptr}, 0);
         }
     }
 }
@@ -132,12 +166,7 @@ void Restitution::add(const ImpactRow& row, Real rebound)
     ImpactRow& to = list_[count_];
     to = row;
     if (to.body2 < 0) to.body2 = -1, to.J.lin2 = to.J.ang2 = {};
-    const auto freedom = [&](int body, Vec3 lin, Vec3 ang) {
-        if (body < 0) return Real(0);
-        const SolverBody& b = system_.bodies[std::size_t(body)];
-        return b.inv_mass * length2(lin) + dot(ang, b.inv_inertia * ang);
-    };
-    to.d = freedom(to.body1, to.J.lin1, to.J.ang1) + freedom(to.body2, to.J.lin2, to.J.ang2);
+    to.d = bodies().freedom(to.J, to.J, to.body1, to.body2);
     if (!(to.d > 0)) return;
     if (!to.pulls) to.c = rebound > 0 ? rebound : std::min(velocity_of(to), rebound);
     fastest_ = std::max(fastest_, rebound);
@@ -146,11 +175,7 @@ void Restitution::add(const ImpactRow& row, Real rebound)
 
 Real Restitution::velocity_of(const ImpactRow& row) const
 {
-    const SolverBody& a = system_.bodies[std::size_t(row.body1)];
-    Real w = dot(row.J.lin1, a.v) + dot(row.J.ang1, a.w);
-    if (row.body2 < 0) return w;
-    const SolverBody& b = system_.bodies[std::size_t(row.body2)];
-    return w + (dot(row.J.lin2, b.v) + dot(row.J.ang2, b.w));
+    return bodies().velocity(row.J, row.body1, row.body2);
 }
 
 // Visits the rows whose bodies have changed since their last visit. False: nothing has changed.
@@ -158,18 +183,14 @@ bool Restitution::sweep()
 {
     bool any = false;
     for (ImpactRow& row : list_.first(count_)) {
-        int& one = changed_[std::size_t(row.body1)];
-        int* const two = row.body2 >= 0 ? &changed_[std::size_t(row.body2)] : nullptr;
-        if (row.seen > std::max(one, two ? *two : 0)) continue;
+        if (row.seen > last_change(row.body1, row.body2)) continue;
         row.seen = ++clock_;
         const Real wanted = (row.c - velocity_of(row)) / row.d;
         const Real dp = row.pulls ? wanted : std::max(wanted, -row.p - row.dp);
         if (!(std::fabs(dp) * row.d > kSettled * fastest_)) continue;
         row.dp += dp;
-        push(system_.bodies[std::size_t(row.body1)], dp, row.J.lin1, row.J.ang1);
-        if (two) push(system_.bodies[std::size_t(row.body2)], dp, row.J.lin2, row.J.ang2);
-        one = clock_;
-        if (two) *two = clock_;
+        bodies().push(row.J, row.body1, row.body2, dp);
+        touch(row.body1, row.body2);
         row.seen = ++clock_;
         any = true;
     }
