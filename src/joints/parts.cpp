@@ -116,9 +116,10 @@ Real rate_along(const Joint& j, const Jacobian& row)
 void lock_point(const Joint& j, RowWriter& out, const AnchorPair& anchor, const OwnSoftness* own)
 {
     const Vec3 a1 = anchor.world(j, 0), a2 = anchor.world(j, 1);
-    const Vec3 r1 = a1 - j.body1()->position();
-    const Vec3 r2 = j.body2() ? a2 - j.body2()->position() : Vec3{};
     const Vec3 error = a2 - a1;
+    const Vec3 half = j.body2() && !j.world->acts_as_ode() ? Real(0.5) * error : Vec3{};
+    const Vec3 r1 = a1 + half - j.body1()->position();
+    const Vec3 r2 = j.body2() ? a2 - half - j.body2()->position() : Vec3{};
     if (out.count() == 0) out.point_at(r1, r2, RowForm::kPoint);
     Row* last = nullptr;
     for (int i = 0; i < 3; ++i) {

@@ -12,8 +12,8 @@ trap 'rm -rf "$work"' EXIT
 
 cat >"$work/reference.txt" <<'RECORDS'
 #library /reference/libode.so.8
-step_hinge low/AB/p00/after.A.lvel 1.5 -0.25 2
-step_hinge low/AB/p00/f1 100 20 -3
+step_hinge low/0A/p00/after.A.lvel 1.5 -0.25 2
+step_hinge low/0A/p00/f1 100 20 -3
 geom_closest_parallel_segments t0/distance 0.5
 pair_box_box -/0 4 0.25 0 0 1 1 1 1
 pair_box_box -/1 1 0.001 0 0 1 0.001 1 0
@@ -40,7 +40,7 @@ expect 1 "not a number" 's/f1 100/f1 nan/'
 expect 1 "a missing value" 's/f1 100 20 -3/f1 100 20/'
 expect 1 "a missing record" '/f1/d'
 expect 1 "a missing block" '/sleep/d'
-expect 1 "a message of the library" 's:^step_hinge.*f1.*:&\nstep_hinge low/AB/p00/messages 1:'
+expect 1 "a message of the library" 's:^step_hinge.*f1.*:&\nstep_hinge low/0A/p00/messages 1:'
 expect 1 "a lost contact" 's:-/0 4 0.25.*:-/0 0 0 0 0 0 0 1 1:'
 expect 1 "another depth" 's:-/1 1 0.001:-/1 1 0.002:'
 expect 0 "a smaller distance where the least is right" 's:distance 0.5:distance 0.4:'

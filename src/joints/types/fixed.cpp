@@ -33,11 +33,12 @@ struct Fixed : LastingJoint {
         const Vec3 x1 = body1()->position();
         const Vec3 o = body2() ? direction_to_world(body1(), offset) : Vec3{};
         const Vec3 error = body2() ? body2()->position() - x1 + o : offset - x1;
-        out.point_at(-o, {}, RowForm::kPoint);
+        const Vec3 r1 = body2() && !world->acts_as_ode() ? body2()->position() - x1 : -o;
+        out.point_at(r1, {}, RowForm::kPoint);
         for (int i = 0; i < 3; ++i) {
             Vec3 e;
             e.set(i, 1);
-            softness.apply_to(out, out.row(point_jacobian(*this, e, -o, Vec3{}), error[i]));
+            softness.apply_to(out, out.row(point_jacobian(*this, e, r1, Vec3{}), error[i]));
         }
         lock_orientation(*this, out, zero);
     }

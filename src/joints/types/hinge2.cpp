@@ -105,7 +105,7 @@ void Hinge2::emit(RowWriter& out)
 {
     const Vec3 a1 = axis(0), a2 = axis(1);
     const Vec3 p1 = anchor.world(*this, 0), p2 = anchor.world(*this, 1);
-    const Vec3 r1 = p1 - body1()->position(), r2 = p2 - body2()->position();
+    const Vec3 r1 = (world->acts_as_ode() ? p1 : p2) - body1()->position(), r2 = p2 - body2()->position();
     Vec3 p, q;
     plane_space(a1, p, q);
     out.point_at(r1, r2, RowForm::kTurned);

@@ -69,6 +69,7 @@ struct FactLayout {
     int anchors, directions, axes;  // in the bodies' frames; directions and axes in that of the guide
     int apart;                      // orientation of the other body seen from the guide, at the beginning
     int side;                       // 1: body 1 is the guide, -1: body 2
+    int gap;                        // between the anchors, where the geometry is
     int start;                      // per row: its error at the beginning
     int rate, speed;                // c = rate * error + speed
     int keeps;                      // 1: relaxing sweeps aim at c too, else at speed
@@ -82,7 +83,8 @@ struct FactLayout {
           axes(directions + (form == RowForm::kTurned ? 9 : 0)),
           apart(axes + 3 * (rows - 3)),
           side(apart + 4),
-          start(side + 1),
+          gap(side + 1),
+          start(gap + 3),
           rate(start + rows),
           speed(rate + rows),
           keeps(speed + rows),

@@ -32,8 +32,8 @@ template <typename L>
 struct JointBeginOf {
     L* facts;                 // only for batches that are followed
     const SolverPose* poses;  // likewise
+    bool turn;                // the first stage of what is followed; else the second, and all of the others
     Real soft_share;          // above zero: rows with C above this share of 1 / effective mass relax to c
-    Velocity* bodies;         // null: p is not applied yet
 };
 
 // `at` of the batches counts from `numbers`. B: Velocity or FloatVelocity.
@@ -48,9 +48,8 @@ template <typename L>
 struct JointKernelsOf {
     // Facts of a batch, masses and C, except which rows keep their target and when the matrix was made.
     void (*take_facts)(const JointBatch& batch, L* numbers, L* facts, const JointRows& from);
-    // Batch by batch, while its numbers are in the cache: for batches with facts, masses, geometry, c and the
-    // relaxing target; then, from masses, geometry, C, p and bounds, the matrix and p within its bounds; then
-    // the effect of p on the bodies.
+    // From masses, geometry, C, p and bounds, the matrix and p within its bounds. Of batches with facts in two
+    // stages: before that, masses and geometry from poses; and c and the relaxing target.
     void (*begin)(const JointBatch* batches, int count, L* numbers, const JointBeginOf<L>& how);
     // For FloatLanes: velocities are rounded when they are read, and their changes are added.
     JointSweepsOf<L, Velocity> on_velocities;

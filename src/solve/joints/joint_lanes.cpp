@@ -136,10 +136,9 @@ bool JointLanes::follow(const RowSystem& system, const Substep& step, std::span<
     return floats_.follow(system, step, bodies, arena) && reals_.follow(system, step, bodies, arena);
 }
 
-void JointLanes::load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
+void JointLanes::load_substep(const RowSystem& system, const Substep& step)
 {
-    floats_.load_substep(system, step, bodies), reals_.load_substep(system, step, bodies);
-    wide_.load_substep(system, step, bodies);
+    floats_.load_substep(system, step), reals_.load_substep(system, step), wide_.load_substep(system, step);
 }
 
 void JointLanes::apply_impulses(std::span<Velocity> bodies) const

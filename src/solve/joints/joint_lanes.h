@@ -34,7 +34,8 @@ class JointLanes {
     bool pack(const RowSystem& system, Arena& arena);
     void load(const RowSystem& system);
     bool follow(const RowSystem& system, const Substep& step, std::span<const Velocity> bodies, Arena& arena);
-    void load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
+    void turn(const RowSystem& system) { floats_.turn(system), reals_.turn(system); }
+    void load_substep(const RowSystem& system, const Substep& step);
     void apply_impulses(std::span<Velocity> bodies) const;
     void sweep(std::span<Velocity> bodies, const JointSweep& how);
     void store_impulses(std::span<RowNumbers> numbers) const;

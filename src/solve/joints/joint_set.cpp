@@ -243,7 +243,7 @@ void JointSetOf<L>::load(const RowSystem& system)
         const RowNumbers& n = system.numbers[row];
         return RowTarget{n.c, n.C, n.c};
     });
-    kernels_->begin(batches_.data(), int(batches_.size()), numbers_.data(), {nullptr, nullptr, 0, nullptr});
+    kernels_->begin(batches_.data(), int(batches_.size()), numbers_.data(), {nullptr, nullptr, false, 0});
 }
 
 template <typename L>
@@ -294,7 +294,7 @@ void JointSetOf<L>::take_facts(const RowSystem& system, std::size_t b, JointRows
 }
 
 template <typename L>
-void JointSetOf<L>::load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
+void JointSetOf<L>::load_substep(const RowSystem& system, const Substep& step)
 {
     AimMap aims(step);
     fill(system, [&](std::size_t i, int place) {
@@ -304,7 +304,14 @@ void JointSetOf<L>::load_substep(const RowSystem& system, const Substep& step, s
         return RowTarget{c, aim.C, aim.spring ? c : std::min(row.speed, row.cap)};
     });
     kernels_->begin(batches_.data(), int(batches_.size()), numbers_.data(),
-                    {facts_.data(), system.poses.data(), kSoftShare, bodies.data()});
+                    {facts_.data(), system.poses.data(), false, kSoftShare});
+}
+
+template <typename L>
+void JointSetOf<L>::turn(const RowSystem& system)
+{
+    kernels_->begin(batches_.data(), int(batches_.size()), numbers_.data(),
+                    {facts_.data(), system.poses.data(), true, kSoftShare});
 }
 
 template <typename L>

@@ -34,10 +34,12 @@ class JointSetOf {
     void load(const RowSystem& system);  // targets from the numbers
     // Alternative for substeps. follow, once, computes from rows, poses and velocities at the beginning the
     // facts of all blocks that the kernels follow (solve/joints/joint_follow.inc) and marks these blocks;
-    // false: out of memory. load_substep, whenever poses have changed, computes the targets of followed rows
-    // there, reads those of the others, and applies the impulses of the substep before, if there are any.
+    // false: out of memory. turn, whenever poses have changed, brings the geometry of followed rows there, but
+    // not yet their targets: springs relax to those that they had. load_substep brings these, too, and reads
+    // the others.
     bool follow(const RowSystem& system, const Substep& step, std::span<const Velocity> bodies, Arena& arena);
-    void load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
+    void turn(const RowSystem& system);
+    void load_substep(const RowSystem& system, const Substep& step);
 
     void apply_impulses(std::span<Velocity> bodies) const;  // v += M^-1 J^T p
     void sweep(std::span<Velocity> bodies, const JointSweep& how);

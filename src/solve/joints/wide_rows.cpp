@@ -50,7 +50,7 @@ void WideRows::load(const RowSystem& system)
     }
 }
 
-void WideRows::load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
+void WideRows::load_substep(const RowSystem& system, const Substep& step)
 {
     for (WideRow& row : rows_) {
         load_terms(system, row);
@@ -61,7 +61,6 @@ void WideRows::load_substep(const RowSystem& system, const Substep& step, std::s
         row.C = aim.C;
         row.d += row.C;
     }
-    apply_impulses(bodies);
 }
 
 void WideRows::apply(const WideRow& row, Real dp, std::span<Velocity> bodies) const

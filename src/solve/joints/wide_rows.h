@@ -24,7 +24,7 @@ class WideRows {
     // As in JointSetOf.
     bool pack(const RowSystem& system, Arena& arena);
     void load(const RowSystem& system);
-    void load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
+    void load_substep(const RowSystem& system, const Substep& step);
     void apply_impulses(std::span<Velocity> bodies) const;
     void sweep(std::span<Velocity> bodies, const JointSweep& how);
     void store_impulses(std::span<RowNumbers> numbers) const;

@@ -149,7 +149,7 @@ void JointNetwork::load_row(const Row& row, const SolverBody* const (&bodies)[2]
     out.c_relaxed = aim.spring ? out.c : std::min(row.speed, row.cap);
 }
 
-void JointNetwork::load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
+void JointNetwork::load_substep(const RowSystem& system, const Substep& step)
 {
     const auto body = [&](int slot) {
         return std::size_t(slot) < system.bodies.size() ? &system.bodies[std::size_t(slot)] : nullptr;
@@ -161,7 +161,6 @@ void JointNetwork::load_substep(const RowSystem& system, const Substep& step, st
                      rows_[std::size_t(joint.first + i)]);
     }
     stale_ = true;
-    apply_impulses(bodies);
 }
 
 void JointNetwork::fill_diagonal(const NetworkJoint& joint)

@@ -40,7 +40,8 @@ class JointNetwork {
     bool pack(const RowSystem& system, Arena& arena);
     // The joints evaluate their rows again.
     bool follow(const RowSystem&, const Substep&, std::span<const Velocity>, Arena&) { return true; }
-    void load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
+    void turn(const RowSystem&) {}  // rows are those of the joints
+    void load_substep(const RowSystem& system, const Substep& step);
     void apply_impulses(std::span<Velocity> bodies) const;
     void sweep(std::span<Velocity> bodies, const JointSweep& how);
     void sum_impulses();

@@ -163,23 +163,25 @@ void ManifoldSet::sort(std::span<ContactManifold* const> manifolds, std::span<co
 }
 
 // Calls f(colour, first, manifolds) for each batch: eight of the order, or sixteen if the second eight begins
-// with as many points, so that no lane must wait for longer ones.
+// with as many points, so that no lane must wait for longer ones. Manifolds of one point are visited in their
+// own way and are never among others: which they meet may not change their bits.
 template <typename F>
 void ManifoldSet::for_each_batch(std::span<ContactManifold* const> manifolds, std::span<const int> starts,
                                  F&& f) const
 {
     const auto points = [&](int i) { return manifolds[std::size_t(order_[std::size_t(i)])]->count; };
     int from = 0;
-    for (int c = 0; c < colours_; ++c) {
-        const int to = starts[std::size_t(c * kManifoldPoints + kManifoldPoints - 1)];
-        while (from < to) {
-            const int left = to - from;
-            const bool all = left > kFloatLanes && points(from) == points(from + kFloatLanes);
-            const int taken = std::min(left, all ? kBroadLanes : kFloatLanes);
-            f(c, from, taken);
-            from += taken;
+    for (int c = 0; c < colours_; ++c)
+        for (const int key : {kManifoldPoints - 2, kManifoldPoints - 1}) {
+            const int to = starts[std::size_t(c * kManifoldPoints + key)];
+            while (from < to) {
+                const int left = to - from;
+                const bool all = left > kFloatLanes && points(from) == points(from + kFloatLanes);
+                const int taken = std::min(left, all ? kBroadLanes : kFloatLanes);
+                f(c, from, taken);
+                from += taken;
+            }
         }
-    }
 }
 
 int ManifoldSet::count_batches(std::span<ContactManifold* const> manifolds, std::span<const int> starts) const

@@ -71,6 +71,7 @@ class SubstepSolver {
 
     bool run(const SolverSettings& settings, Arena& arena, SolveReport& report)
     {
+        joints_.turn(system_);
         for (int i = 0; i < step_.n; ++i) {
             const bool last = i == step_.n - 1;
             correct(i > 0, last);
@@ -81,7 +82,7 @@ class SubstepSolver {
         joints_.store_sums(system_.numbers);
         store_velocities(velocities_, system_);
         model_.settle(model_.model, system_);
-        add_wrenches(system_.rows, system_.numbers, true);
+        add_contact_wrenches();
         model_.gather_contacts(model_.model, system_);
         manifolds_.store_impulses(system_.contact_manifolds);
         return rebound(arena);
@@ -93,6 +94,7 @@ class SubstepSolver {
     {
         described_ = arena.take<RowNumbers>(int(system_.numbers.size()));
         rows_ = arena.take<Row>(int(system_.rows.size()));
+        summed_ = arena.take_zeroed<Real>(int(system_.rows.size()));
         if (arena.failed()) return false;
         std::copy(system_.numbers.begin(), system_.numbers.end(), described_.begin());
         std::copy(system_.rows.begin(), system_.rows.end(), rows_.begin());
@@ -135,7 +137,8 @@ class SubstepSolver {
         if (moved) model_.refresh(model_.model, system_, velocities_.data());
         model_.apply_forces(model_.model, velocities_.data(), step_.hs);
         if (last && !before_.empty()) save_bodies();
-        joints_.load_substep(system_, step_, velocities_);
+        joints_.load_substep(system_, step_);
+        joints_.apply_impulses(velocities_);
         contacts_.apply_impulses(velocities_);
         manifolds_.apply_impulses(velocities_);
         if (Joints::kHasBothEnds) joints_.sweep(velocities_, {1, false});
@@ -155,7 +158,9 @@ class SubstepSolver {
     {
         contacts_.follow_motion(velocities_);
         manifolds_.follow_motion(velocities_);
+        add_joint_wrenches();
         model_.advance(model_.model, system_, velocities_.data(), step_.hs);
+        joints_.turn(system_);
     }
 
     void relax(bool last)
@@ -166,24 +171,43 @@ class SubstepSolver {
         if (Joints::kHasBothEnds) joints_.sweep(velocities_, {1, true});
         add(ends_, velocities_.first(ends_.size()));
         if (last) joints_.apply_restitution(system_, velocities_);
+        add_joint_wrenches();
         joints_.sum_impulses();
         contacts_.add_impulses(system_.numbers);
-        if (system_.wrenches.empty()) return;
-        joints_.describe(described_, rows_);
-        add_wrenches(rows_, described_, false);
+        std::fill(summed_.begin(), summed_.end(), Real(0));
     }
 
-    // Rows of joints in every substep; those of contacts once, with their sums: their arms do not change.
-    // Rows that are followed have a pose of their own in `rows`, the others that of the system.
-    void add_wrenches(std::span<const Row> rows, std::span<const RowNumbers> numbers, bool contacts)
+    // What joints have exerted since this was called last in the substep, where they are now: before poses
+    // change and when the substep ends. Rows that are followed have a pose of their own, the others that of
+    // the system.
+    void add_joint_wrenches()
+    {
+        if (system_.wrenches.empty()) return;
+        joints_.describe(described_, rows_);
+        for (const RowBlock& block : system_.blocks) {
+            if (block.wrench < 0 || block.contact) continue;
+            for (int i = block.first; i < block.first + block.count; ++i) {
+                const auto at = std::size_t(i);
+                add_wrench(block, i, block.followed ? rows_[at] : system_.rows[at],
+                           described_[at].p - summed_[at]);
+                summed_[at] = described_[at].p;
+            }
+        }
+    }
+
+    // Once, with the sums: their arms do not change.
+    void add_contact_wrenches()
     {
         for (const RowBlock& block : system_.blocks) {
-            if (block.wrench < 0 || block.contact != contacts) continue;
-            BlockWrench& sum = system_.wrenches[std::size_t(block.wrench)];
+            if (block.wrench < 0 || !block.contact) continue;
             for (int i = block.first; i < block.first + block.count; ++i)
-                sum.add(block, i, block.followed ? rows[std::size_t(i)] : system_.rows[std::size_t(i)],
-                        numbers[std::size_t(i)].p);
+                add_wrench(block, i, system_.rows[std::size_t(i)], system_.numbers[std::size_t(i)].p);
         }
+    }
+
+    void add_wrench(const RowBlock& block, int i, const Row& row, Real p)
+    {
+        system_.wrenches[std::size_t(block.wrench)].add(block, i, row, p);
     }
 
     bool rebound(Arena& arena)
@@ -230,6 +254,7 @@ class SubstepSolver {
     std::span<SolverBody> before_;  // only when the residual is wanted
     std::span<RowNumbers> described_;
     std::span<Row> rows_;
+    std::span<Real> summed_;  // impulses of the substep that the wrenches contain
     std::span<Real> lo_, hi_;
 };
 

@@ -192,6 +192,33 @@ DIFFERENCE(D35, momentum, "a PU joint drawn out between two bodies makes no angu
     return angular_momentum(a, b, sum) < 1e-9;
 }
 
+// A pair at rest whose joint, of any of these types, has come apart; the angular momentum after a step.
+double momentum_with_anchors_apart(dJointID (*create)(dWorldID, dJointGroupID))
+{
+    const World world;
+    const dBodyID a = world.body(0, 0, 0), b = world.body(1, 0, 0);
+    const dJointID j = attached(create(world.id, nullptr), a, b);
+    if (create == dJointCreateBall) dJointSetBallAnchor(j, 0.5, 0.1, 0);
+    if (create == dJointCreateHinge) dJointSetHingeAnchor(j, 0.5, 0.1, 0);
+    if (create == dJointCreateUniversal) dJointSetUniversalAnchor(j, 0.5, 0.1, 0);
+    if (create == dJointCreateHinge2) dJointSetHinge2Anchor(j, 0.5, 0.1, 0);
+    if (create == dJointCreateFixed) dJointSetFixed(j);
+    dBodySetPosition(b, 1.1, 0.2, -0.1);
+    world.step();
+    double sum[3];
+    return angular_momentum(a, b, sum);
+}
+
+DIFFERENCE(D48, momentum, "joints that have come apart make no angular momentum")
+{
+    double largest = 0;
+    for (auto create :
+         {dJointCreateBall, dJointCreateHinge, dJointCreateUniversal, dJointCreateHinge2, dJointCreateFixed})
+        largest = std::max(largest, momentum_with_anchors_apart(create));
+    note("momentum", largest);
+    return largest < 1e-9;
+}
+
 DIFFERENCE(D40, sideways, "a PR joint whose axes are not perpendicular still holds its body")
 {
     const World world;

@@ -73,6 +73,8 @@ TEST_F(ManifoldPoints, follow_both_geoms)
         const Pose A = pose(), B = pose();
         find(count, A.p, {0, 0, 1});
         was.found.normal = narrow(A.R.column(trial % 3));
+        const Mat3 turn = transpose(A.R) * B.R;
+        for (int i = 0; i < 3; ++i) was.found.turn[i] = narrow(turn.row(i));
         fix_points(maker, 0, A, B, was.found.anchors);
         for (int i = 0; i < count; ++i) was.manifold.points[i].normal_impulse = float(i + 1);
         now = was;
@@ -84,7 +86,10 @@ TEST_F(ManifoldPoints, follow_both_geoms)
         const Real layer = Real(0.005);
         const bool touches = place_points(A2, B2, x1, trial % 5 ? &x2 : nullptr, layer, was, now.manifold);
 
-        const Vec3 n = A2.R * widen(was.found.normal);
+        // That of what stands stays with it.
+        const Vec3 local = widen(was.found.normal);
+        const Mat3 known = {widen(was.found.turn[0]), widen(was.found.turn[1]), widen(was.found.turn[2])};
+        const Vec3 n = trial % 5 ? A2.R * local : B2.R * transposed_times(known, local);
         expect_equal(now.manifold.normal, narrow(n));
         bool touched = false;
         for (int i = 0; i < count; ++i) {

@@ -11,6 +11,8 @@
 
 namespace epode {
 
+inline constexpr std::size_t kFewRows = 64;  // a dense solution is shorter
+
 // Softness above this share of the inverse effective mass is meant: a spring.
 inline bool is_spring(const Row& row, const RowBlock& block, const RowSystem& system)
 {

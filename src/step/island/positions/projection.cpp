@@ -22,7 +22,7 @@
 // again.
 //
 // Joints are closed by the impulses of the step itself (step/island/positions/shake.h). Here their rows only hold them while bodies are parted;
-// where SHAKE leaves a joint open by more than kLongTurn of its levers, these poses close it.
+// where SHAKE leaves a joint open by more than kLongestTurn of its levers, these poses close it.
 //
 // Rotors of drives are part of M: each is a row that holds nothing, J dx + p/I = 0.
 #include "step/island/positions/projection.h"
@@ -44,7 +44,6 @@ constexpr Real kSpringShare = Real(1e-3);            // of the inverse_mass, abo
 constexpr double kSoftness = kSingle ? 1e-6 : 1e-9;  // of the inverse_mass, for redundant rows
 constexpr Real kLargestTurn = 1;                     // rad, of one Newton step
 constexpr Real kLongTurn = Real(0.03);               // opening relative to the lever, about (w h)^2/2
-constexpr std::size_t kFewRows = 64;
 constexpr int kMaxHalvings = 5;
 
 // What a row of the projection needs besides its Row in the system.
@@ -225,7 +224,7 @@ class Projection {
 
     bool solve(const Tasks& tasks)
     {
-        const bool small = system_.rows.size() <= kFewRows;  // kDirect has a shorter way
+        const bool small = system_.rows.size() <= kFewRows;
         if (!one_sided_ && !small) return solve_equalities(system_, &symbolic_cache_, arena_);
         SolverSettings settings;
         settings.tasks = tasks;

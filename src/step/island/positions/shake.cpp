@@ -12,12 +12,11 @@
 namespace epode {
 namespace {
 
-constexpr std::size_t kFewRows = 64;  // kDirect has a shorter way
 constexpr int kMaxIterations = 8;
-constexpr Real kEnough = Real(1e-3);   // of the projection's tolerance
-constexpr Real kGain = Real(0.25);     // of the sum of squares, that an iteration must reach
-constexpr Real kLongTurn = Real(0.1);  // opening relative to the lever, about (w h)^2/2
-constexpr Real kSticks = Real(0.999);  // of its bound: friction that does not slide
+constexpr Real kEnough = Real(1e-3);      // of the projection's tolerance
+constexpr Real kGain = Real(0.25);        // of the sum of squares, that an iteration must reach
+constexpr Real kLongestTurn = Real(0.1);  // opening relative to the lever, about (w h)^2/2
+constexpr Real kSticks = Real(0.999);     // of its bound: friction that does not slide
 
 bool is_free(const IslandWork& work) { return work.system.rows.empty() && work.contacts.empty(); }
 
@@ -59,7 +58,7 @@ class Shake {
     {
         bool changed = false;
         go();
-        for (int i = 0; i < kMaxIterations && worst_ <= kLongTurn && (i == 0 || !is_enough()); ++i) {
+        for (int i = 0; i < kMaxIterations && worst_ <= kLongestTurn && (i == 0 || !is_enough()); ++i) {
             const Real merit = merit_;
             if (!correct()) break;
             go_on(1);

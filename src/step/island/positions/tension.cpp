@@ -11,8 +11,8 @@
 //   S = sum over the body's joints of h |P| |r| (1 - n n^T),  P = h F, n = P/|P|
 //   I' = I + max(0, 1 - k I_max/s) S,  s = tr S / 2,   of links: bodies that two joints load or more
 //
-// k = 4, where the frequency reaches 2/h and steps that hold directions become unstable; sweeps that leave joints unsolved are unstable
-// from k = 1 on. Ten equal links that swing free do not reach 4 in steps of 10 ms.
+// k = 3: at 4 the frequency reaches 2/h, and steps that hold directions become unstable; sweeps that leave
+// joints unsolved are unstable from k = 1 on. Ten equal links that swing free do not reach 3 in steps of 10 ms.
 //
 // Links that are raised and joined also lose the share k/2 of what their spin differs from that of their raised
 // neighbours: what they toss to and fro would else reach the load with the raised inertia, many times over.

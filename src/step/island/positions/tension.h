@@ -10,7 +10,7 @@ namespace epode {
 
 // The largest square of a swing's frequency times h that a solution can follow: of one that solves the joints of an island to the end, and of
 // sweeps that leave off before.
-inline constexpr Real kResolvedExactly = 4, kResolvedBySweeps = 1;
+inline constexpr Real kResolvedExactly = 3, kResolvedBySweeps = 1;
 
 // Raises the inertia of `bodies`, which are those of the island in its order, where the impulses that its
 // joints remember of the last step or substep of length h are too stiff for it. Returns how many it has raised; marks
