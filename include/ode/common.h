@@ -327,7 +327,8 @@ typedef enum {
 
 /** Joint parameters; names ending in 2 and 3 belong to the joint's second and third axis.
     LoStop, HiStop: range of the angle (rad) or position (m), defaults -/+ infinity; tested only when
-      LoStop <= HiStop; a rotational stop works within (-pi, pi].
+      LoStop <= HiStop. Angles with stops count turns (ode/drives.h); with dBehaviour016 a stop works
+      within (-pi, pi].
     Vel: wanted rate of a motor (rad/s, m/s), default 0.  FMax: the most force or torque the motor may
       use (N, N m), default 0 = no motor; negative values are ignored.
     LoVel, HiVel: numbers only; no joint uses them.

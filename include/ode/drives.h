@@ -46,18 +46,25 @@ extern "C" {
 ODE_API int dJointGetNumAxes(dJointID joint);
 
 /** - dJointGetAxisPosition: Returns the joint's position along or about one of its axes, m or rad. Angles are
-      in -pi ... pi, or count turns (dJointSetAxisContinuous). A joint without bodies answers 0.
+      in -pi ... pi, or count turns: with stops, and after dJointSetAxisContinuous. A joint without bodies
+      answers 0.
     - dJointGetAxisRate: Returns the derivative of dJointGetAxisPosition, m/s or rad/s. Unlike some of the
       types' own functions it is exact also where the bodies turn together. [ours] */
 ODE_API dReal dJointGetAxisPosition(dJointID joint, int axis);
 ODE_API dReal dJointGetAxisRate(dJointID joint, int axis);
 
-/** - dJointSetAxisContinuous: Let the angle of an axis count turns, mode 1, from where it is now, or keep it
-      in -pi ... pi, mode 0, the default. Turns are counted in steps: an axis may turn by less than pi in
-      each. Axes that are no angles do not change. Returns 1. Another mode is refused.
-    - dJointGetAxisContinuous: Returns the mode that dJointSetAxisContinuous has set, 0 at first. [ours] */
+/** - dJointSetAxisContinuous: Let the angle of an axis count turns always, mode 1, from where it is now, or only
+      while it has stops, mode 0, the default. Turns are counted in steps: an axis may turn by less than pi in
+      each. Stops compare the position: they may lie beyond half a turn. (With dBehaviour016 and mode 0 they
+      compare angles in -pi ... pi.) Axes that are no angles do not change. Returns 1. Another mode is refused.
+    - dJointGetAxisContinuous: Returns the mode that dJointSetAxisContinuous has set, 0 at first.
+    - dJointSetAxisTurn: Say in which turn an angle is that counts turns: in the one where it is nearest to
+      position, rad. Otherwise, where the program places the bodies, it is the one nearest to the middle of its
+      stops, or, where these are a turn or more apart, nearest to the last. Returns 1. Refused: a position
+      that is not finite. [ours] */
 ODE_API int dJointSetAxisContinuous(dJointID joint, int axis, int mode);
 ODE_API int dJointGetAxisContinuous(dJointID joint, int axis);
+ODE_API int dJointSetAxisTurn(dJointID joint, int axis, dReal position);
 
 /** A drive on one axis of a joint: a spring and damper towards a target, a given force, a rotor and dry
     friction. With position q and rate w it exerts
@@ -85,7 +92,7 @@ ODE_API int dDriveInit(dDrive* drive, unsigned struct_size);
 /** - dJointSetDrive: Put a drive on an axis, in place of the one it has; drive NULL takes it away. It acts
       together with the axis's stops and the motor of dParamVel and dParamFMax, in every stepper and in each
       substep, until changed. An angle's target is taken modulo a turn, the shorter way, unless the axis counts
-      turns (dJointSetAxisContinuous). A change wakes the joint's bodies. Returns 1, or 0 when refused
+      turns (dJointGetAxisPosition). A change wakes the joint's bodies. Returns 1, or 0 when refused
       (numbers that are negative or not finite, a structure of a wrong size) or out of memory.
     - dJointGetDrive: Write to *drive, whose size the caller has set, what dJointSetDrive has set, or zeros.
       Returns 1 if the axis has a drive, else 0.

@@ -196,12 +196,13 @@ class dBodyExt : public dBody {
 template <class Type>
 class dJointExt : public Type {
   public:
-    /** Coordinates: dJointGetAxisPosition, dJointGetAxisRate, dJointSetAxisContinuous. */
+    /** Coordinates: dJointGetAxisPosition, dJointGetAxisRate, dJointSetAxisContinuous, dJointSetAxisTurn. */
     int getNumAxes() const { return dJointGetNumAxes(this->id()); }
     dReal getAxisPosition(int axis) const { return dJointGetAxisPosition(this->id(), axis); }
     dReal getAxisRate(int axis) const { return dJointGetAxisRate(this->id(), axis); }
     int setAxisContinuous(int axis, int mode) { return dJointSetAxisContinuous(this->id(), axis, mode); }
     int getAxisContinuous(int axis) const { return dJointGetAxisContinuous(this->id(), axis); }
+    int setAxisTurn(int axis, dReal position) { return dJointSetAxisTurn(this->id(), axis, position); }
 
     /** dJointSetDrive; drive 0 takes the drive away. */
     int setDrive(int axis, const dDrive* drive) { return dJointSetDrive(this->id(), axis, drive); }

@@ -118,6 +118,7 @@ void set_pose(Body& body, unsigned fields, const Real*& from)
         Quat q = load_quat(from);
         (void)normalize(q);
         set_orientation(body, q);
+        note_turned(body, orientation);
         from += 4;
     }
     const bool same = body.position() == place && body.orientation() == orientation;

@@ -7,6 +7,7 @@
 #include "base/objects/struct_size.h"
 #include "dynamics/coupling.h"
 #include "dynamics/world.h"
+#include "joints/access.h"
 #include "joints/drive_rows.h"
 #include "joints/limit_motor.h"
 #include "joints/registry.h"
@@ -146,18 +147,26 @@ int dJointSetAxisContinuous(dJointID j, int axis, int mode)
     AXIS_OR(0);
     EPODE_USER_SAY(mode == 0 || mode == 1, "the mode must be 0 or 1", 0);
     EPODE_USER_SAY(!stepping(*joint), "Invalid operation during a step", 0);
-    AxisDrive* const drive = take_axis_drive(*joint, axis);
-    EPODE_USER_SAY(drive, kOutOfMemory, 0);
-    if (!drive->continuous && joint->attached()) drive->reference = axis_position(*joint, axis);
-    drive->continuous = mode == 1;
+    set_continuous(*joint, axis, mode == 1);
     return 1;
 }
 
 int dJointGetAxisContinuous(dJointID j, int axis)
 {
     AXIS_OR(0);
-    const AxisDrive* const drive = axis_drive(*joint, axis);
-    return drive && drive->continuous;
+    return joint->type->continuous(*joint, axis);
+}
+
+int dJointSetAxisTurn(dJointID j, int axis, dReal position)
+{
+    AXIS_OR(0);
+    EPODE_USER_SAY(usable(position), "the position must be finite", 0);
+    EPODE_USER_SAY(!stepping(*joint), "Invalid operation during a step", 0);
+    const auto read = [&] { return has_coordinates(*joint) ? axis_position(*joint, axis) : 0; };
+    change_value(*joint, read, [&] {
+        joint->type->count_turns(*joint, axis, joint->type->continuous(*joint, axis), position);
+    });
+    return 1;
 }
 
 int dDriveInit(dDrive* drive, unsigned struct_size)

@@ -120,7 +120,10 @@ dBodyID dJointGetBody(dJointID j, int index)
 void dJointEnable(dJointID j)
 {
     JOINT_OR();
-    if (joint->disabled) wake_sleepers(*joint);
+    if (joint->disabled) {
+        wake_sleepers(*joint);
+        if (joint->type->forget_turns) joint->type->forget_turns(*joint);  // of all that it has missed
+    }
     joint->disabled = false;
     if (!joint->driven) return;
     drives_of(*joint).limits.broken = false;

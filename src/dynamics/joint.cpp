@@ -5,6 +5,8 @@
 // a thousand contacts on one body come and go at constant cost.
 #include "dynamics/joint.h"
 
+#include <cmath>
+
 #include "base/objects/structure_edition.h"
 #include "dynamics/coupling.h"
 #include "dynamics/joint_group.h"
@@ -54,6 +56,15 @@ void note_tie(Joint& joint)
 }
 
 }  // namespace
+
+void note_turned(Body& body, Quat before)
+{
+    constexpr Real kCosine = Real(0.99875);  // of half of 0.1 rad
+    const Quat now = body.orientation();
+    if (std::fabs(before.w * now.w + dot(before.vec(), now.vec())) > kCosine) return;
+    for (JointNode* n = body.lasting; n; n = next_lasting(n))
+        if (n->joint->type->forget_turns) n->joint->type->forget_turns(*n->joint);
+}
 
 void wake_sleepers(Joint& joint)
 {

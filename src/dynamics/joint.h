@@ -39,7 +39,7 @@ enum class AxisCarrier : char { kNone, kBody1, kBody2, kBetween };
 struct JointAxis {
     Jacobian J;
     Real value = 0;      // m or rad
-    bool turns = false;  // an angle that is known up to whole turns
+    bool turns = false;  // an angle that is known up to whole turns, and they are not counted
     // A position along a direction of body 1, J.lin1, from a point of body 2 to one of body 1.
     bool slides = false;
     Vec3 point1{}, point2{};
@@ -61,9 +61,14 @@ struct JointType {
     void (*attached)(Joint&);                          // bodies have changed: recompute relative values
     bool (*set_param)(Joint&, int param, Real value);  // false: unknown here
     bool (*get_param)(const Joint&, int param, Real& value);
-    int (*axes)(const Joint&);                       // how many it has; null: it has none
-    JointAxis (*axis)(const Joint&, int i);          // of an attached joint
-    LimitMotor* (*stops)(Joint&, int i);             // of an axis; null, or returns null: none
+    int (*axes)(const Joint&);               // how many it has; null: it has none
+    JointAxis (*axis)(const Joint&, int i);  // of an attached joint
+    LimitMotor* (*stops)(Joint&, int i);     // of an axis; null, or returns null: none
+    // Of an axis: whether its turns are counted without stops too; lets it be so, from the position that it has now;
+    // and lets the turns of all axes be unknown where they are not.
+    bool (*continuous)(const Joint&, int i);
+    void (*count_turns)(Joint&, int i, bool continuous, Real position);
+    void (*forget_turns)(Joint&);
     OwnSoftness* (*softness)(Joint&);                // ERP and CFM of its own; null: none
     const char* dif_name;                            // in dWorldExportDIF
     void (*describe)(const Joint&, DifWriter& out);  // its fields there
@@ -121,8 +126,10 @@ struct HandleOf<Joint> {
     static constexpr Tag kTag = Tag::kJoint;
 };
 
-void detach(Joint& joint);                                            // leaves both body lists
-void wake_sleepers(Joint& joint);                                     // of its bodies
+void detach(Joint& joint);         // leaves both body lists
+void wake_sleepers(Joint& joint);  // of its bodies
+// The program has turned the body: its joints do not follow their angles across more than a small turn.
+void note_turned(Body& body, Quat before);
 void attach(Joint& joint, Body* a, Body* b);                          // arguments already checked
 [[nodiscard]] bool link_into_world(Joint& joint, JointGroup* group);  // false: no memory, nothing done
 void unlink_from_world(Joint& joint);  // `world` becomes null; a group may still keep the joint

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What a joint of any type may have in addition: drives, counted turns, breaking limits. Few joints have
+// What a joint of any type may have in addition: drives and breaking limits. Few joints have
 // them. All of it is state or structure of the joint, except what is marked as belonging to the current step.
 #pragma once
 
@@ -13,9 +13,7 @@ namespace epode {
 struct AxisDrive {
     dDrive drive{};
     bool driven = false;
-    bool continuous = false;  // the position counts turns
-    Real reference = 0;       // of a continuous axis: the position when the last step began
-    Real force = 0;           // of the drive, the mean over the last step
+    Real force = 0;  // of the drive, the mean over the last step
     // Of the current step:
     RowDrive servo, rotor;  // which rows point to
     Real rate = 0;          // at the pose of the rows

@@ -12,9 +12,10 @@ namespace {
 constexpr unsigned kRows = 15, kJointDisabled = 16, kJointActive = 32;
 static_assert(kMaxBlockRows <= int(kRows));
 
-constexpr std::uint32_t kAxisDriven = 1, kContinuous = 2;  // of an axis
-constexpr std::uint32_t kBroken = 1;                       // of the limits
-constexpr std::uint32_t kLimits = 1 << kMaxAxes;           // of the drives: bits of axes, and this one
+constexpr std::uint32_t kAxisDriven = 1;          // of an axis
+constexpr std::uint32_t kContinuous = 2;          // of states of format 5 or less, with the position
+constexpr std::uint32_t kBroken = 1;              // of the limits
+constexpr std::uint32_t kLimits = 1 << kMaxAxes;  // of the drives: bits of axes, and this one
 
 int max_rows(const Joint& joint)
 {
@@ -22,22 +23,25 @@ int max_rows(const Joint& joint)
     return joint.type->max_rows + (joint.driven ? kMaxDriveRows : 0);
 }
 
-void state(AxisDrive& axis, StateStream& stream)
+void state(Joint& joint, int number, StateStream& stream)
 {
+    AxisDrive& axis = drives_of(joint).axis[number];
     dDrive& d = axis.drive;
-    const std::uint32_t bits =
-        stream.unusual({{&d.stiffness, 0, false, 0},
-                        {&d.damping, 0, false, 0},
-                        {&d.armature, 0, false, 0},
-                        {&d.friction, 0, false, 0},
-                        {&d.target, 0},
-                        {&d.target_velocity, 0},
-                        {&d.force, 0},
-                        {&d.force_limit, 0, true, 0},
-                        {&axis.reference, 0},
-                        {&axis.force, 0}},
-                       (axis.driven ? kAxisDriven : 0) | (axis.continuous ? kContinuous : 0));
-    if (stream.stores()) axis.driven = bits & kAxisDriven, axis.continuous = bits & kContinuous;
+    Real position = 0;
+    const std::uint32_t bits = stream.unusual({{&d.stiffness, 0, false, 0},
+                                               {&d.damping, 0, false, 0},
+                                               {&d.armature, 0, false, 0},
+                                               {&d.friction, 0, false, 0},
+                                               {&d.target, 0},
+                                               {&d.target_velocity, 0},
+                                               {&d.force, 0},
+                                               {&d.force_limit, 0, true, 0},
+                                               {&position, 0},
+                                               {&axis.force, 0}},
+                                              axis.driven ? kAxisDriven : 0);
+    if (!stream.stores()) return;
+    axis.driven = bits & kAxisDriven;
+    if (bits & kContinuous && joint.type->count_turns) joint.type->count_turns(joint, number, true, position);
 }
 
 void state(BreakLimits& limits, StateStream& stream)
@@ -52,10 +56,10 @@ void state(BreakLimits& limits, StateStream& stream)
 
 bool is_used(const AxisDrive& axis)
 {
-    if (axis.driven || axis.continuous) return true;
+    if (axis.driven) return true;
     const dDrive& d = axis.drive;
     for (const Real x : {d.stiffness, d.damping, d.armature, d.friction, d.target, d.target_velocity, d.force,
-                         d.force_limit, axis.reference, axis.force})
+                         d.force_limit, axis.force})
         if (x != 0 || std::signbit(x)) return true;
     return false;
 }
@@ -63,14 +67,15 @@ bool is_used(const AxisDrive& axis)
 bool is_used(const BreakLimits& limits) { return limits.any() || limits.broken || limits.step != 0; }
 
 // Only what is used takes space: few joints have all of it.
-void state(JointDrives& drives, StateStream& stream)
+void state_of_drives(Joint& joint, StateStream& stream)
 {
+    JointDrives& drives = drives_of(joint);
     std::uint32_t used = is_used(drives.limits) ? kLimits : 0;
     for (int i = 0; i < kMaxAxes; ++i) used |= std::uint32_t(is_used(drives.axis[i])) << i;
     const std::uint32_t bits = stream.word(used);
     for (int i = 0; i < kMaxAxes; ++i)
         if (bits >> i & 1)
-            state(drives.axis[i], stream);
+            state(joint, i, stream);
         else if (stream.stores() && used >> i & 1)
             drives.axis[i] = {};
     if (bits & kLimits)
@@ -99,8 +104,7 @@ void state(Joint& joint, std::uint8_t bits, StateStream& stream)
     }
     if (rows > 0) stream.guesses(impulses(joint), rows);
     if (joint.type->state) joint.type->state(joint, stream);
-    if (!joint.driven) return;
-    state(drives_of(joint), stream);
+    if (joint.driven) state_of_drives(joint, stream);
 }
 
 }  // namespace epode

@@ -16,32 +16,20 @@
 #include "joints/drive_rows.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "joints/coupling.h"
 #include "joints/parts.h"
+#include "joints/turn_count.h"
 
 namespace epode {
 namespace {
 
-// The angle + 2 pi n that is nearest to `to`.
-Real nearest_turn(Real angle, Real to)
+// From the position to the target; the shorter direction for angles whose turns are not counted.
+Real error(const JointAxis& at, const AxisDrive& axis)
 {
-    constexpr Real kTurn = 2 * kPi;
-    return angle + kTurn * std::round((to - angle) / kTurn);
-}
-
-Real position(const JointAxis& at, const AxisDrive& axis)
-{
-    return at.turns && axis.continuous ? nearest_turn(at.value, axis.reference) : at.value;
-}
-
-// From the position to the target; the shorter direction for angles that do not count turns.
-Real error(const JointAxis& at, const AxisDrive& axis, Real value)
-{
-    const Real e = axis.drive.target - value;
-    return at.turns && !axis.continuous ? nearest_turn(e, 0) : e;
+    const Real e = axis.drive.target - at.value;
+    return at.turns ? nearest_turn(e, 0) : e;
 }
 
 bool is_zero(const Jacobian& J) { return J.lin1 == Vec3{} && J.ang1 == Vec3{}; }
@@ -189,27 +177,26 @@ void emit_servo(RowWriter& out, AxisDrive& axis, const JointAxis& at, Real error
 template <typename DriftOf>
 void emit_axis(Joint& joint, const JointAxis& at, AxisDrive& axis, RowWriter& out, DriftOf&& drift)
 {
-    const Real value = position(at, axis);
     axis.servo_row = -1, axis.with_rotor = false;
-    if (!out.info().inner) axis.reference = value;
     if (!axis.driven || (is_zero(at.J) && out.terms().empty())) return;
     out.emit_every_substep();
     axis.rate = rate(joint, out, at.J);
     axis.drift = axis.drive.armature > 0 ? drift() : 0;
     if (!out.info().inner) axis.start_rate = axis.rate, axis.start_drift = axis.drift, axis.passes = 0;
     ++axis.passes;
-    emit_servo(out, axis, at, error(at, axis, value));
+    emit_servo(out, axis, at, error(at, axis));
     const Real friction = axis.drive.friction;
     if (friction > 0) firm_row(out, at.J, RowKind::kFriction, -friction, friction);
 }
 
 }  // namespace
 
-Real axis_position(const Joint& joint, int i)
+Real axis_position(const Joint& joint, int i) { return joint.type->axis(joint, i).value; }
+
+void set_continuous(Joint& joint, int i, bool continuous)
 {
-    const JointAxis at = joint.type->axis(joint, i);
-    if (!joint.driven) return at.value;
-    return position(at, drives_of(joint).axis[i]);
+    if (joint.type->continuous(joint, i) == continuous) return;
+    joint.type->count_turns(joint, i, continuous, joint.attached() ? axis_position(joint, i) : 0);
 }
 
 Real axis_rate(const Joint& joint, int i)

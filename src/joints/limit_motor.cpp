@@ -68,9 +68,13 @@ void LimitMotor::state(const World& world, StateStream& stream)
                         {&stop_erp, world.erp},
                         {&stop_cfm, world.cfm},
                         {&stop_spring.drive.stiffness, 0, false, 0},
-                        {&stop_spring.drive.damping, 0, false, 0}},
-                       (cfm_chosen ? 1u : 0u) | (stop_chosen ? 2u : 0u) | (stop_spring.acts ? 4u : 0u));
-    if (stream.stores()) cfm_chosen = bits & 1, stop_chosen = bits & 2, stop_spring.acts = bits & 4;
+                        {&stop_spring.drive.damping, 0, false, 0},
+                        {&turns.last, 0}},
+                       (cfm_chosen ? 1u : 0u) | (stop_chosen ? 2u : 0u) | (stop_spring.acts ? 4u : 0u) |
+                           (turns.continuous ? 8u : 0u) | (turns.follows ? 16u : 0u));
+    if (!stream.stores()) return;
+    cfm_chosen = bits & 1, stop_chosen = bits & 2, stop_spring.acts = bits & 4;
+    turns.continuous = bits & 8, turns.follows = bits & 16;
 }
 
 bool LimitMotor::get(int param, Real& value) const
@@ -109,9 +113,16 @@ bool LimitMotor::get(int param, Real& value) const
     return true;
 }
 
-void LimitMotor::emit_angular(const Joint& j, RowWriter& out, Vec3 axis, Real angle)
+bool LimitMotor::counts_turns(const Joint& j) const
 {
-    emit(j, out, angular_jacobian(j, axis), angle, dot(axis, relative_angular_velocity(j)));
+    return turns.continuous || (has_stops() && !j.world->acts_as_ode());
+}
+
+Real LimitMotor::follow(const Joint& j, const RowWriter& out, Real angle)
+{
+    const Real value = counted(j, angle);
+    if (!out.info().inner && counts_turns(j)) turns.take(value);
+    return value;
 }
 
 void LimitMotor::emit_linear(const Joint& j, RowWriter& out, Vec3 axis, Real position)

@@ -8,6 +8,9 @@
 //   x >= hi              J v <= erp/h (hi - x),  lambda <= 0
 //   lo = hi              J v = erp/h (lo - x),   unbounded: a servo spring through stop ERP and CFM
 //
+// An angle is known up to whole turns: the turn is counted from step to step while there are stops or the
+// program wants it (turn_count.h). In a world with ODE's behaviour stops compare angles in -pi ... pi.
+//
 // One row serves stop or motor, not both: at a stop the motor's whole force acts as an external force of the
 // step, scaled by the fudge factor when it pulls away (the meaning that ODE's guide gives to
 // dParamFudgeFactor). An unlimited motor that pulls away from a stop keeps the row instead: an infinite force
@@ -16,6 +19,7 @@
 
 #include "dynamics/joint.h"
 #include "joints/parts.h"
+#include "joints/turn_count.h"
 #include "rows/row_writer.h"
 
 namespace epode {
@@ -39,11 +43,27 @@ struct LimitMotor {
     // At most one row. `value` is read only when there are stops. Whether a stop acts, and how it rebounds,
     // is decided at the first call of a step and kept at inner poses, so that the number of rows stays the
     // same.
-    void emit_angular(const Joint& j, RowWriter& out, Vec3 axis, Real angle);
+    // `angle`: returns the angle up to whole turns.
+    template <typename Angle>
+    void emit_angular(const Joint& j, RowWriter& out, Vec3 axis, Angle angle)
+    {
+        const Real value = needs_value() ? follow(j, out, angle()) : (turns.follows = false, 0);
+        emit(j, out, angular_jacobian(j, axis), value, dot(axis, relative_angular_velocity(j)));
+    }
     void emit_linear(const Joint& j, RowWriter& out, Vec3 axis, Real position);
     void emit(const Joint& j, RowWriter& out, const Jacobian& jacobian, Real value, Real rate);
     // The motor alone, whatever the stops.
     void emit_motor(RowWriter& out, const Jacobian& jacobian) const;
+
+    bool needs_value() const { return has_stops() || turns.continuous; }
+    bool counts_turns(const Joint& j) const;
+    // The angle with the turns that are counted, or as it is.
+    Real counted(const Joint& j, Real angle) const
+    {
+        return counts_turns(j) ? turns.of(angle, lo, hi) : angle;
+    }
+    // The same, which becomes that of the last step when a step begins.
+    Real follow(const Joint& j, const RowWriter& out, Real angle);
 
     Real lo = -kInf, hi = kInf;
     Real vel = 0, fmax = 0, fudge = 1, bounce = 0;
@@ -51,6 +71,7 @@ struct LimitMotor {
     bool cfm_chosen = false, stop_chosen = false;  // set by the client, not the world's
     bool crossed_act = false;                      // stops with lo > hi count, the low one first
     Spring stop_spring;                            // in place of stop_erp and stop_cfm
+    TurnCount turns;                               // of an angle, in the sense of the stops
 
   private:
     enum class Stop : unsigned char { kNone, kLow, kHigh };
@@ -63,6 +84,12 @@ struct LimitMotor {
     Stop stop_ = Stop::kNone;  // of the present step
     bool has_restitution_ = false;
     Real restitution_velocity_ = 0;
+};
+
+// What turns or moves an axis, and the sense of its stops against the position that a program reads.
+struct AxisMotor {
+    LimitMotor& motor;
+    Real sense = 1;
 };
 
 // The rule of joints with two such axes: numbers of group 2 lose their group and go to the second axis, all

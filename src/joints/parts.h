@@ -113,9 +113,9 @@ inline Jacobian angular_jacobian(const Joint& j, Vec3 d) { return {{}, d, {}, j.
 Jacobian sliding_jacobian(const Joint& j, Vec3 d);
 inline AxisCarrier carrier_of(int node) { return node == 0 ? AxisCarrier::kBody1 : AxisCarrier::kBody2; }
 // An angle about an axis, which J takes once, among others that J leaves out.
-inline JointAxis angle_among(const Jacobian& J, Real angle, AxisCarrier carrier, Vec3 axis)
+inline JointAxis angle_among(const Jacobian& J, Real angle, bool turns, AxisCarrier carrier, Vec3 axis)
 {
-    return {J, angle, true, false, {}, {}, carrier, axis};
+    return {J, angle, turns, false, {}, {}, carrier, axis};
 }
 Real rate_along(const Joint& j, const Jacobian& row);  // J v
 

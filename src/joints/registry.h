@@ -39,9 +39,9 @@ const JointType* joint_type(int number);
 // Says in words what a struct lacks to be a joint type. Optional members: bodies_changed(), set_param(int,
 // Real), get_param(int, Real&), state(StateStream&) of what it keeps from step to step and of its settings
 // that are numbers of motors and softness, kNeedsTwoBodies, axes() and axis_at(int), which give the type
-// coordinates and drives, LimitMotor* stops_of(int axis) and OwnSoftness* own_softness(), which may be springs
-// in physical units, and, where not all objects of the type are of one pool, destroy() and static Joint*
-// make(World&, StructureStream&).
+// coordinates and drives, AxisMotor motor_at(int), which must come with them, LimitMotor* stops_of(int axis)
+// and OwnSoftness* own_softness(), which may be springs in physical units, and, where not all objects of the
+// type are of one pool, destroy() and static Joint* make(World&, StructureStream&).
 template <typename T>
 consteval bool is_joint_type()
 {
@@ -69,6 +69,9 @@ consteval bool is_joint_type()
     static_assert(
         !requires(const T& t) { t.axes(); } || requires(const T& t) { JointAxis{t.axis_at(0)}; },
         "a joint type that has axes tells what they are: JointAxis axis_at(int) const");
+    static_assert(
+        !requires(const T& t) { t.axes(); } || requires(T & t) { t.motor_at(0); },
+        "a joint type that has axes tells what moves them: AxisMotor motor_at(int)");
     return true;
 }
 template <typename T>
@@ -85,10 +88,8 @@ constexpr JointType describe_joint(const char* name)
     type.needs_two_bodies = requires { T::kNeedsTwoBodies; };
     type.emit = [](Joint& j, RowWriter& out) { static_cast<T&>(j).emit(out); };
     type.attached = [](Joint& j) {
-        if constexpr (requires(T & t) { t.bodies_changed(); })
-            static_cast<T&>(j).bodies_changed();
-        else
-            (void)j;
+        if constexpr (requires(T & t) { t.bodies_changed(); }) static_cast<T&>(j).bodies_changed();
+        if (j.type->forget_turns) j.type->forget_turns(j);
     };
     type.set_param = [](Joint& j, int param, Real value) {
         if constexpr (requires(T & t) { t.set_param(param, value); })
@@ -105,6 +106,18 @@ constexpr JointType describe_joint(const char* name)
     if constexpr (requires(const T& t) { t.axes(); }) {
         type.axes = [](const Joint& j) { return static_cast<const T&>(j).axes(); };
         type.axis = [](const Joint& j, int i) { return static_cast<const T&>(j).axis_at(i); };
+        type.continuous = [](const Joint& j, int i) {
+            return const_cast<T&>(static_cast<const T&>(j)).motor_at(i).motor.turns.continuous;
+        };
+        type.count_turns = [](Joint& j, int i, bool continuous, Real position) {
+            const auto [motor, sense] = static_cast<T&>(j).motor_at(i);
+            motor.turns.continuous = continuous;
+            motor.turns.take(sense * position);
+        };
+        type.forget_turns = [](Joint& j) {
+            T& joint = static_cast<T&>(j);
+            for (int i = 0; i < joint.axes(); ++i) joint.motor_at(i).motor.turns.follows = false;
+        };
     }
     if constexpr (requires(T & t) { t.stops_of(0); })
         type.stops = [](Joint& j, int i) -> LimitMotor* { return static_cast<T&>(j).stops_of(i); };

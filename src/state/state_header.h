@@ -8,6 +8,7 @@
 //   3 -> 4   contact manifolds (contacts/state/contact_format.h), the seed of dRand (state/world_state.h),
 //            checksum
 //   4 -> 5   manifolds that were struck (contacts/state/contact_format.h)
+//   5 -> 6   turns of angles with the stops (joints/limit_motor.cpp), no longer with the drives
 #pragma once
 
 #include <cstddef>
@@ -20,7 +21,7 @@ namespace epode {
 
 struct StateHeader {
     static constexpr std::uint32_t kMagic = 0x74736e65;  // "enst"
-    static constexpr std::uint16_t kVersion = 5, kOldest = 3;
+    static constexpr std::uint16_t kVersion = 6, kOldest = 3;
     enum Kind : std::uint8_t { kWhole = 1, kDelta = 2 };
 
     std::uint32_t magic = kMagic;

@@ -167,7 +167,7 @@ void WorldStructure::visit_member(CoupledAxis& member)
     if (!m.joint) return;
     stream_.number(m.axis), stream_.real(m.factor);
     if (stream_.saves() || stream_.failed()) return;
-    const bool fits = !is_coupling(*m.joint) && m.joint->coupled && m.joint->driven && m.axis >= 0 &&
+    const bool fits = !is_coupling(*m.joint) && m.joint->coupled && m.axis >= 0 &&
                       m.axis < axis_count(*m.joint) && usable(m.factor) && m.factor != 0;
     if (stream_.demand(fits, "a coupling in it has an axis that it cannot have")) member = m;
 }

@@ -184,6 +184,9 @@ void test_joints()
     joint.setAxisContinuous(0, 1);
     judge("dJointExt::setAxisContinuous", dJointGetAxisContinuous(joint, 0) == 1, Numbers());
     judge("dJointExt::getAxisContinuous", joint.getAxisContinuous(0) == 1, Numbers());
+    joint.setAxisTurn(0, dReal(6.3));
+    judge("dJointExt::setAxisTurn", joint.getAxisPosition(0) > 3, Numbers());
+    joint.setAxisTurn(0, 0);
     dReal a, b;
     joint.setStopSpring(0, 30, 4);
     judge("dJointExt::setStopSpring", dJointGetStopSpring(joint, 0, &a, &b) == 1 && a == 30, Numbers(1, a));

@@ -123,6 +123,33 @@ TEST_P(DriveStates, bring_settings_back)
     EXPECT_EQ(dJointGetAxisContinuous(arm.hinges[1], 0), 1);
 }
 
+// An arm that a step has carried beyond half a turn is still beyond the stop that it has passed, also in a clone.
+TEST_P(DriveStates, know_which_stop_has_been_passed)
+{
+    Arm arm(false);
+    const dJointID hinge = arm.hinges[0];
+    dWorldSetGravity(arm.world, 0, 0, 0);
+    dJointSetHingeParam(hinge, dParamLoStop, dReal(-3.1)),
+        dJointSetHingeParam(hinge, dParamHiStop, dReal(3.1));
+    dJointSetHingeParam(hinge, dParamVel, 24), dJointSetHingeParam(hinge, dParamFMax, dInfinity);
+    for (int i = 0; i < 50 && dJointGetAxisPosition(hinge, 0) < dReal(3.15); ++i) arm.steps(1, GetParam());
+    ASSERT_GT(dJointGetAxisPosition(hinge, 0), dReal(3.15));
+    ASSERT_LT(dJointGetHingeAngle(hinge), 0);
+    const Bytes middle = arm.save();
+    dWorldID clone = dWorldClone(arm.world, nullptr, nullptr, 0);
+    ASSERT_TRUE(clone);
+    arm.steps(20, GetParam());
+    const Bytes end = arm.save();
+    ASSERT_TRUE(arm.restore(middle));
+    arm.steps(20, GetParam());
+    EXPECT_EQ(difference(arm.save(), end), "");
+    EXPECT_GT(dJointGetAxisPosition(hinge, 0), 3);
+    std::swap(arm.world, clone);
+    arm.steps(20, GetParam());
+    EXPECT_EQ(difference(arm.save(), end), "");
+    dWorldDestroy(clone);
+}
+
 INSTANTIATE_TEST_SUITE_P(Steppers, DriveStates, testing::ValuesIn(kSteppers),
                          [](const auto& each) { return name_of(each.param); });
 

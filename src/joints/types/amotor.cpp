@@ -11,6 +11,7 @@
 //   angle2 = -atan2(b2.a1, b2.(a1 x a2))
 // and motors work along a1 x a2, a1, a0 x a1: the directions that change one angle and leave the others.
 #include <algorithm>
+#include <cmath>
 
 #include "joints/access.h"
 #include "joints/reading.h"
@@ -19,6 +20,7 @@
 namespace epode {
 
 constexpr Real kNearLock = Real(0.05);  // sine between the outer axes
+constexpr Real kJump = Real(1.5);       // of an Euler angle in one step, rad
 
 struct AMotor : LastingJoint {
     static constexpr int kMaxRows = 3;
@@ -58,8 +60,13 @@ struct AMotor : LastingJoint {
     const Euler& euler() const;
     int axes() const { return count; }
     LimitMotor* stops_of(int i) { return &motor[i]; }
+    AxisMotor motor_at(int i) { return {motor[i], sense()}; }
     JointAxis axis_at(int i) const;
+    // Attached as (0, B), Euler angles run against the axes; stops act on the internal sense, as a hinge's
+    // do. (ODE tests the angle as read and so drives the body away from the range.)
+    Real sense() const { return reverse && mode == dAMotorEuler ? Real(-1) : Real(1); }
     void emit(RowWriter& out);
+    void emit_euler(int i, RowWriter& out, Vec3 axis);
 
     bool set_param(int param, Real value) { return set_by_group(motor, param, value); }
     bool get_param(int param, Real& value) const { return get_by_group(motor, param, value); }
@@ -121,6 +128,7 @@ void AMotor::set_axis(int i, int r, Vec3 unit)
 
 void AMotor::take_references()
 {
+    for (LimitMotor& m : motor) m.turns.follows = false;
     if (!attached()) return;
     reference1 = direction_to_local(user_body(0), given_axis(2));
     reference2 = direction_to_local(user_body(1), given_axis(0));
@@ -162,8 +170,9 @@ JointAxis AMotor::axis_at(int i) const
     const Real volume = std::max(dot(a[0], cross(a[1], a[2])), kNearLock);
     const Vec3 dual = cross(a[(i + 1) % 3], a[(i + 2) % 3]) / volume;
     const AxisCarrier carrier = i == 1 ? AxisCarrier::kBetween : carrier_of(node_of(*this, i / 2));
-    return angle_among(angular_jacobian(*this, reverse ? -dual : dual), now.angle[i], carrier,
-                       reverse ? -a[i] : a[i]);
+    return angle_among(angular_jacobian(*this, reverse ? -dual : dual),
+                       sense() * motor[i].counted(*this, sense() * now.angle[i]),
+                       !motor[i].counts_turns(*this), carrier, reverse ? -a[i] : a[i]);
 }
 
 void AMotor::emit(RowWriter& out)
@@ -171,11 +180,22 @@ void AMotor::emit(RowWriter& out)
     Vec3 a[3];
     if (mode == dAMotorEuler) std::copy_n(euler().angle, 3, angle);
     motor_axes(a);
-    // Attached as (0, B), Euler angles run against the axes; stops act on the internal sense, as a hinge's
-    // do. (ODE tests the angle as read and so drives the body away from the range.)
-    const Real sense = reverse && mode == dAMotorEuler ? Real(-1) : Real(1);
-    for (int i = 0; i < count; ++i) motor[i].emit_angular(*this, out, a[i], sense * angle[i]);
+    for (int i = 0; i < count; ++i)
+        if (mode == dAMotorEuler)
+            emit_euler(i, out, a[i]);
+        else
+            motor[i].emit(*this, out, angular_jacobian(*this, a[i]), angle[i],
+                          dot(a[i], relative_angular_velocity(*this)));
     if (mode != dAMotorEuler) out.mark_given();
+}
+
+// Where the outer axes become parallel, their angles jump by half a turn, in which no turns can be counted.
+void AMotor::emit_euler(int i, RowWriter& out, Vec3 axis)
+{
+    const Real now = sense() * angle[i];
+    TurnCount& turns = motor[i].turns;
+    if (std::fabs(nearest_turn(now, turns.last) - turns.last) > kJump) turns.follows = false;
+    motor[i].emit_angular(*this, out, axis, [&] { return now; });
 }
 
 namespace {

@@ -77,6 +77,7 @@ struct Coupling : CouplingJoint {
         return {{}, s, false};
     }
     LimitMotor* stops_of(int) { return &stops; }
+    AxisMotor motor_at(int) { return {stops}; }
 
     bool set_param(int param, Real value) { return is_own(param) && stops.set(param, value); }
     bool get_param(int param, Real& value) const { return is_own(param) && stops.get(param, value); }
@@ -149,17 +150,6 @@ CoupledAxis* place_of(dJointID id, int i, const char* caller)
     return good ? &coupling->member[i] : nullptr;
 }
 
-// Lets an angle count turns from now on. False: out of memory.
-bool count_turns(Joint& joint, int axis)
-{
-    JointDrives* const drives = take_drives(static_cast<LastingJoint&>(joint));
-    if (!drives) return false;
-    AxisDrive& at = drives->axis[axis];
-    if (!at.continuous && joint.attached()) at.reference = axis_position(joint, axis);
-    at.continuous = true;
-    return true;
-}
-
 const char* fault_of(const Coupling& coupling, const Joint* joint, int axis, Real factor)
 {
     if (!joint || joint->world != coupling.world) return "the joint must be a live one of the same world";
@@ -195,8 +185,8 @@ int dJointSetCouplingAxis(dJointID id, int i, dJointID joint_id, int axis, dReal
     if (joint_id) {
         const char* const fault = fault_of(coupling, joint, axis, factor);
         EPODE_USER_SAY(!fault, fault, 0);
-        const bool listed = list_coupling(coupling) && count_turns(*joint, axis);
-        EPODE_USER_SAY(listed, kOutOfMemory, 0);
+        EPODE_USER_SAY(list_coupling(coupling), kOutOfMemory, 0);
+        set_continuous(*joint, axis, true);
         joint->coupled = true;
     }
     *place = joint_id ? CoupledAxis{joint, axis, factor} : CoupledAxis{};

@@ -30,11 +30,8 @@ struct Cross {
     Real rate(const Joint& j, int i) const { return dot(axis(j, i), relative_angular_velocity(j)); }
     // From now on the angles read these.
     void set_zero(const Joint& j, Real reading1 = 0, Real reading2 = 0);
-    void set_axis(const Joint& j, int i, Vec3 unit)
-    {
-        local[i] = direction_to_local(j.node[i].body, unit);
-        set_zero(j);
-    }
+    // set_zero() must follow.
+    void set_axis(const Joint& j, int i, Vec3 unit) { local[i] = direction_to_local(j.node[i].body, unit); }
     void describe_axes(DifWriter& out) const
     {
         for (int i = 0; i < 2; ++i) epode::describe(out, "axis", local[i], i + 1);

@@ -32,7 +32,7 @@ struct Hinge : LastingJoint {
         return angle_.of(now, [&] { return hinge_angle(now.q1, now.q2, now.zero, now.axis); });
     }
     Real rate() const { return dot(axis_world(), relative_angular_velocity(*this)); }
-    void set_zero() { zero = relative_orientation(*this); }
+    void set_zero() { zero = relative_orientation(*this), motor.turns.follows = false; }
     void set_zero_beyond(Vec3 unit, Real offset)
     {
         zero = rotation_about(unit, -sign() * offset) * conjugate(relative_orientation(*this));
@@ -44,7 +44,7 @@ struct Hinge : LastingJoint {
     {
         lock_point(*this, out, anchor);
         lock_axis(*this, out, axis);
-        motor.emit_angular(*this, out, axis_world(), motor.has_stops() ? angle() : 0);
+        motor.emit_angular(*this, out, axis_world(), [this] { return angle(); });
     }
     void bodies_changed()
     {
@@ -54,9 +54,11 @@ struct Hinge : LastingJoint {
     }
     static int axes() { return 1; }
     LimitMotor* stops_of(int) { return &motor; }
+    AxisMotor motor_at(int) { return {motor, sign()}; }
     JointAxis axis_at(int) const
     {
-        return {angular_jacobian(*this, sign() * axis_world()), sign() * angle(), true};
+        return {angular_jacobian(*this, sign() * axis_world()), sign() * motor.counted(*this, angle()),
+                !motor.counts_turns(*this)};
     }
     bool set_param(int param, Real value) { return motor.set(param, value); }
     bool get_param(int param, Real& value) const { return motor.get(param, value); }

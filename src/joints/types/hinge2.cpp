@@ -39,6 +39,7 @@ struct Hinge2 : LastingJoint {
         const Vec3 other = direction_to_local(node[i].body, axis(1 - i));
         return -atan2(dot(beyond[i], other), dot(across[i], other));
     }
+    Real position(int i) const { return i == 0 ? angle(0) : -angle(1); }  // whose derivative is rate(i)
     Real rate(int i) const { return dot(axis(i), relative_angular_velocity(*this)); }
 
     void take_pose();
@@ -46,6 +47,7 @@ struct Hinge2 : LastingJoint {
     void set_axes(const Vec3* a1, const Vec3* a2);
     static int axes() { return 2; }
     LimitMotor* stops_of(int i) { return i == 0 ? &motor[0] : nullptr; }
+    AxisMotor motor_at(int i) { return {motor[i]}; }
     OwnSoftness* own_softness() { return &suspension; }
     JointAxis axis_at(int i) const;
     void emit(RowWriter& out);
@@ -83,6 +85,7 @@ void Hinge2::describe(DifWriter& out) const
 // The present directions of the axes are the zero of both angles.
 void Hinge2::take_pose()
 {
+    for (LimitMotor& m : motor) m.turns.follows = false;
     const Vec3 a1 = axis(0), a2 = axis(1);
     s0 = length(cross(a1, a2));
     c0 = dot(a1, a2);
@@ -118,18 +121,19 @@ void Hinge2::emit(RowWriter& out)
     if (!normalize(n)) n = p;
     out.row(angular_jacobian(*this, n), c0 * s - s0 * c);
 
-    motor[0].emit_angular(*this, out, a1, motor[0].has_stops() ? angle(0) : 0);
+    motor[0].emit_angular(*this, out, a1, [this] { return angle(0); });
+    if (motor[1].turns.continuous) motor[1].follow(*this, out, position(1));
     motor[1].emit_motor(out, angular_jacobian(*this, a2));
 }
 
 // The spin is rate1 a1 + rate2 a2 of axes that need not be perpendicular: J is what takes one and leaves the
-// other. Angle 2 is read against its rate.
+// other. Angle 2 is read against its rate. Its motor has no stops.
 JointAxis Hinge2::axis_at(int i) const
 {
     const Vec3 a = axis(i), other = axis(1 - i);
     const Real c = dot(a, other), s2 = std::max(1 - c * c, Real(1e-3));
-    return angle_among(angular_jacobian(*this, (a - c * other) / s2), i == 0 ? angle(0) : -angle(1),
-                       carrier_of(i), a);
+    return angle_among(angular_jacobian(*this, (a - c * other) / s2), motor[i].counted(*this, position(i)),
+                       !motor[i].counts_turns(*this), carrier_of(i), a);
 }
 
 bool Hinge2::set_param(int param, Real value)

@@ -41,6 +41,7 @@ struct LMotor : LastingJoint {
     }
 
     int axes() const { return count; }
+    AxisMotor motor_at(int i) { return {motor[i]}; }
     // Exact while neither body turns the axis.
     JointAxis axis_at(int i) const
     {

@@ -32,7 +32,11 @@ struct Piston : LastingJoint {
         return hinge_angle(orientation_of(body1()), orientation_of(body2()), zero, axis.local[0]);
     }
     Real angle_rate() const { return dot(axis_world(), relative_angular_velocity(*this)); }
-    void set_zero() { zero = hinge_zero(orientation_of(body1()), orientation_of(body2()), axis.local[0]); }
+    void set_zero()
+    {
+        zero = hinge_zero(orientation_of(body1()), orientation_of(body2()), axis.local[0]);
+        motor[1].turns.follows = false;
+    }
     void set_axis(Vec3 unit) { axis.set(*this, unit), set_zero(); }
     void set_anchor(Vec3 point1, Vec3 point2)
     {
@@ -45,10 +49,12 @@ struct Piston : LastingJoint {
     void bodies_changed() { anchor.reattach(*this), axis.reattach(*this), set_zero(); }
     static int axes() { return 2; }
     LimitMotor* stops_of(int i) { return &motor[i]; }
+    AxisMotor motor_at(int i) { return {motor[i], i == 0 ? Real(1) : sign()}; }
     JointAxis axis_at(int i) const
     {
         if (i == 0) return separated_axis(*this, anchor, motion_axis(), position());
-        return {angular_jacobian(*this, sign() * axis_world()), sign() * angle(), true};
+        return {angular_jacobian(*this, sign() * axis_world()), sign() * motor[1].counted(*this, angle()),
+                !motor[1].counts_turns(*this)};
     }
     bool set_param(int param, Real value) { return motor_of(motor, param).set(param, value); }
     bool get_param(int param, Real& value) const { return motor_of(motor, param).get(param, value); }
@@ -81,7 +87,7 @@ void Piston::emit(RowWriter& out)
     lock_level(*this, out, anchor, p);
     lock_level(*this, out, anchor, q);
     motor[0].emit_linear(*this, out, motion_axis(), position());
-    motor[1].emit_angular(*this, out, axis_world(), motor[1].has_stops() ? angle() : 0);
+    motor[1].emit_angular(*this, out, axis_world(), [this] { return angle(); });
 }
 
 }  // namespace epode

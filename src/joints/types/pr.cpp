@@ -44,7 +44,11 @@ struct PR : LastingJoint {
         return hinge_angle(orientation_of(body1()), orientation_of(body2()), zero, axis.local[0]);
     }
     Real angle_rate() const { return dot(turn(), relative_angular_velocity(*this)); }
-    void set_zero() { zero = hinge_zero(orientation_of(body1()), orientation_of(body2()), axis.local[0]); }
+    void set_zero()
+    {
+        zero = hinge_zero(orientation_of(body1()), orientation_of(body2()), axis.local[0]);
+        motor[1].turns.follows = false;
+    }
     void set_slide(Vec3 unit) { slide_local = direction_to_local(body1(), unit), set_zero(); }
     void set_turn(Vec3 unit) { axis.set(*this, unit), set_zero(); }
 
@@ -57,10 +61,12 @@ struct PR : LastingJoint {
     }
     static int axes() { return 2; }
     LimitMotor* stops_of(int i) { return &motor[i]; }
+    AxisMotor motor_at(int i) { return {motor[i], i == 0 ? Real(1) : sign()}; }
     JointAxis axis_at(int i) const
     {
         if (i == 0) return separated_axis(*this, anchor, slide_motion(), position());
-        return {angular_jacobian(*this, sign() * turn()), sign() * angle(), true};
+        return {angular_jacobian(*this, sign() * turn()), sign() * motor[1].counted(*this, angle()),
+                !motor[1].counts_turns(*this)};
     }
     bool set_param(int param, Real value) { return motor_of(motor, param).set(param, value); }
     bool get_param(int param, Real& value) const { return motor_of(motor, param).get(param, value); }
@@ -99,7 +105,7 @@ void PR::emit(RowWriter& out)
     lock_level(*this, out, anchor, t);
     const Jacobian along = separated_jacobian(*this, anchor, slide_motion());
     motor[0].emit(*this, out, along, position(), rate_along(*this, along));
-    motor[1].emit_angular(*this, out, a1, motor[1].has_stops() ? angle() : 0);
+    motor[1].emit_angular(*this, out, a1, [this] { return angle(); });
 }
 
 }  // namespace epode

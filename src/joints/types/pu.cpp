@@ -47,10 +47,15 @@ struct PU : LastingJoint {
     {
         anchor.local[0] = point_to_local(body1(), point1);
         anchor.local[1] = point_to_local(body2(), point2);
-        arms.set_zero(*this);
+        set_zero();
     }
-    void set_user_axis(int i, Vec3 unit) { arms.set_axis(*this, node_of(*this, i), unit); }
-    void set_slide(Vec3 unit) { slide_local = direction_to_local(body1(), unit), arms.set_zero(*this); }
+    void set_zero()
+    {
+        arms.set_zero(*this);
+        for (LimitMotor& m : motor) m.turns.follows = false;
+    }
+    void set_user_axis(int i, Vec3 unit) { arms.set_axis(*this, node_of(*this, i), unit), set_zero(); }
+    void set_slide(Vec3 unit) { slide_local = direction_to_local(body1(), unit), set_zero(); }
 
     void emit(RowWriter& out);
     void bodies_changed()
@@ -60,11 +65,14 @@ struct PU : LastingJoint {
     }
     static int axes() { return 3; }
     LimitMotor* stops_of(int i) { return &motor[i]; }
+    AxisMotor motor_at(int i) { return {motor[i == 2 ? i : node_of(*this, i)]}; }
     JointAxis axis_at(int i) const
     {
         if (i == 2) return separated_axis(*this, anchor, slide_motion(), position());
+        const int own = node_of(*this, i);
         const Vec3 a = user_axis(i);
-        return angle_among(angular_jacobian(*this, a), user_angle(i), carrier_of(node_of(*this, i)), a);
+        return angle_among(angular_jacobian(*this, a), motor[own].counted(*this, arms.angle(*this, own)),
+                           !motor[own].counts_turns(*this), carrier_of(own), a);
     }
     bool set_param(int param, Real value) { return set_by_group(motor, param, value); }
     bool get_param(int param, Real& value) const { return get_by_group(motor, param, value); }
@@ -98,8 +106,7 @@ void PU::emit(RowWriter& out)
     lock_level(*this, out, anchor, p);
     lock_level(*this, out, anchor, q);
     for (int i = 0; i < 2; ++i)
-        motor[i].emit_angular(*this, out, arms.axis(*this, i),
-                              motor[i].has_stops() ? arms.angle(*this, i) : 0);
+        motor[i].emit_angular(*this, out, arms.axis(*this, i), [&] { return arms.angle(*this, i); });
     const Jacobian along = separated_jacobian(*this, anchor, slide_motion());
     motor[2].emit(*this, out, along, position(), rate_along(*this, along));
 }

@@ -51,6 +51,7 @@ struct Slider : LastingJoint {
     void bodies_changed() { take_pose(); }
     static int axes() { return 1; }
     LimitMotor* stops_of(int) { return &motor; }
+    AxisMotor motor_at(int) { return {motor}; }
     JointAxis axis_at(int) const
     {
         const Vec3 x2 = body2() ? body2()->position() : Vec3{};

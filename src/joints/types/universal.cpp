@@ -29,22 +29,32 @@ struct Universal : LastingJoint {
         return reverse && i == 1 ? -angle : angle;
     }
     Real user_rate(int i) const { return arms.rate(*this, node_of(*this, i)); }
+    void set_zero(Real reading1 = 0, Real reading2 = 0)
+    {
+        arms.set_zero(*this, reading1, reading2);
+        for (LimitMotor& m : motor) m.turns.follows = false;
+    }
     void set_user_zero(Real reading1, Real reading2)
     {
-        reverse ? arms.set_zero(*this, -reading2, reading1) : arms.set_zero(*this, reading1, reading2);
+        reverse ? set_zero(-reading2, reading1) : set_zero(reading1, reading2);
     }
-    void set_anchor(Vec3 point) { anchor.set(*this, point), arms.set_zero(*this); }
-    void set_user_axis(int i, Vec3 unit) { arms.set_axis(*this, node_of(*this, i), unit); }
+    void set_anchor(Vec3 point) { anchor.set(*this, point), set_zero(); }
+    void set_user_axis(int i, Vec3 unit) { arms.set_axis(*this, node_of(*this, i), unit), set_zero(); }
 
     void emit(RowWriter& out);
-    void bodies_changed() { anchor.reattach(*this), arms.set_zero(*this); }
+    void bodies_changed() { anchor.reattach(*this), set_zero(); }
     static int axes() { return 2; }
     LimitMotor* stops_of(int i) { return &motor[i]; }
+    AxisMotor motor_at(int i) { return {motor[node_of(*this, i)], reverse && i == 1 ? Real(-1) : Real(1)}; }
     // Attached as (0, B), angle 2 runs against its axis.
     JointAxis axis_at(int i) const
     {
-        const Vec3 a = reverse && i == 1 ? -user_axis(i) : user_axis(i);
-        return angle_among(angular_jacobian(*this, a), user_angle(i), carrier_of(node_of(*this, i)), a);
+        const int own = node_of(*this, i);
+        const Real sense = reverse && i == 1 ? Real(-1) : Real(1);
+        const Vec3 a = sense * user_axis(i);
+        return angle_among(angular_jacobian(*this, a),
+                           sense * motor[own].counted(*this, arms.angle(*this, own)),
+                           !motor[own].counts_turns(*this), carrier_of(own), a);
     }
     bool set_param(int param, Real value) { return motor_of(motor, param).set(param, value); }
     bool get_param(int param, Real& value) const { return motor_of(motor, param).get(param, value); }
@@ -71,8 +81,7 @@ void Universal::emit(RowWriter& out)
     lock_point(*this, out, anchor);
     arms.lock_right_angle(*this, out);
     for (int i = 0; i < 2; ++i)
-        motor[i].emit_angular(*this, out, arms.axis(*this, i),
-                              motor[i].has_stops() ? arms.angle(*this, i) : 0);
+        motor[i].emit_angular(*this, out, arms.axis(*this, i), [&] { return arms.angle(*this, i); });
 }
 
 namespace {

@@ -47,10 +47,11 @@ void place_body(Body& body, Vec3 position)
 
 void orient_body(Body& body, Quat q, const Mat3& R)
 {
-    const bool turned = q != body.orientation();
+    const Quat before = body.orientation();
     store_quat(body.q, q);
     store_mat(body.R, R);
-    turned ? body_moved(body) : body_stepped(body);
+    note_turned(body, before);
+    q != before ? body_moved(body) : body_stepped(body);
 }
 
 bool mark_members(Body& body, const Space& space)

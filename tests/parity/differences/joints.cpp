@@ -272,6 +272,40 @@ DIFFERENCE(D45, stop, "the stop of a PR joint's slide adds no energy to a body t
     return fastest < 10;
 }
 
+// The largest rate of a hinge with a motor of 2 rad/s that turns to one of its stops.
+double fastest_turn(double low, double high, double step, double speed)
+{
+    const World world;
+    const dBodyID b = world.body(0, 0, 0);
+    const dJointID j = attached(dJointCreateHinge(world.id, nullptr), b, nullptr);
+    dJointSetHingeAnchor(j, 0, 0, 0);
+    dJointSetHingeAxis(j, 0, 0, 1);
+    dJointSetHingeParam(j, dParamLoStop, low), dJointSetHingeParam(j, dParamHiStop, high);
+    dJointSetHingeParam(j, dParamVel, speed), dJointSetHingeParam(j, dParamFMax, 5);
+    double fastest = 0, turned = 0;
+    for (int i = 0; i < 1500; ++i) {
+        dWorldStep(world.id, step);
+        const double rate = dBodyGetAngularVel(b)[2];
+        fastest = std::fmax(fastest, std::fabs(rate)), turned += rate * step;
+    }
+    note("turned", turned);
+    return turned < high + 0.1 ? fastest : HUGE_VAL;
+}
+
+DIFFERENCE(D47, far, "a hinge with a stop at 270 degrees turns to it and rests")
+{
+    const double fastest = fastest_turn(-0.1, 4.712, 0.01, 2);
+    note("fastest", fastest);
+    return fastest < 2.1;
+}
+
+DIFFERENCE(D47, gap, "a hinge whose step is longer than the gap between its stops does not go round")
+{
+    const double fastest = fastest_turn(-3.1, 3.1, 0.032, 5);
+    note("fastest", fastest);
+    return fastest < 5.1;
+}
+
 DIFFERENCE(D42, linear, "a fourth group of a linear motor's parameters is none of its axes")
 {
     const World world;
