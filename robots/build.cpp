@@ -201,7 +201,6 @@ dJointID Robot::make_joint(dWorldID world, int number, dBodyID child, dBodyID pa
     return its;
 }
 
-// ODE's hinge has stops within half a turn; wider ones are those of a coupling, which counts turns.
 void Robot::set_limits(int number, dJointID its) const
 {
     const Joint& joint = model().joints[size_t(number)];
@@ -212,7 +211,6 @@ void Robot::set_limits(int number, dJointID its) const
         dJointSetSliderParam(its, dParamHiStop, dReal(high));
         dJointSetSliderParam(its, dParamLoStop, dReal(low));
     } else {
-        if (turns_far(joint)) return;
         dJointSetHingeParam(its, dParamLoStop, dReal(low));
         dJointSetHingeParam(its, dParamHiStop, dReal(high));
     }

@@ -64,9 +64,6 @@ class Prepared {
     std::vector<std::array<int, 2>> overlapping_;
 };
 
-// Whether a hinge may turn by half a turn or more from its reference.
-bool turns_far(const Joint& joint);
-
 // A position drive that a program has put on a joint.
 struct Servo {
     double stiffness = 0, damping = 0, target = 0;

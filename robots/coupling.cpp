@@ -2,11 +2,9 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Sums of coordinates of a built robot, as ODE's couplings: mimic joints and equalities of joints (equal stops),
-// tendons (stops, springs, actuators), and limits of hinges beyond half a turn, since couplings count turns. ODE's
-// positions are p = q - r, so stops of s = sum f q are those of sum f p, moved by sum f r.
+// tendons (stops, springs, actuators). ODE's positions are p = q - r, so stops of s = sum f q are those of sum f p,
+// moved by sum f r.
 #include <ode/ext.h>
-
-#include <numbers>
 
 #include "robots/build.h"
 
@@ -31,13 +29,6 @@ dReal stop_of(double value)
 }
 
 }  // namespace
-
-bool turns_far(const Joint& joint)
-{
-    return joint.limited && joint.kind == JointKind::kHinge &&
-           (joint.low - joint.reference <= -std::numbers::pi ||
-            joint.high - joint.reference >= std::numbers::pi);
-}
 
 // 0 of a relation that the world cannot hold.
 dJointID Robot::make_coupling(dWorldID world, const std::vector<Coupling::Term>& terms, double low,
@@ -65,10 +56,6 @@ void Robot::make_couplings(dWorldID world)
         make_coupling(world, coupling.terms, coupling.offset, coupling.offset);
     for (const Tendon& tendon : model().tendons)
         tendons_.push_back(make_coupling(world, tendon.terms, tendon.low, tendon.high));
-    for (size_t i = 0; i < model().joints.size(); ++i) {
-        const Joint& joint = model().joints[i];
-        if (turns_far(joint)) make_coupling(world, {{int(i), 1}}, joint.low, joint.high);
-    }
 }
 
 std::vector<std::string> Robot::not_built(const RobotModel& model)

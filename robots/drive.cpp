@@ -62,12 +62,11 @@ void Robot::set_positions(const std::vector<double>& positions)
         const Pose pose = forward_kinematics(model(), held(small, positions))[size_t(small.link)];
         stop_at(small.body, placement_ * pose * Pose{model().links[size_t(small.link)].centre, {}});
     }
-    for (size_t i = 0; i < joints_.size(); ++i)  // turns count from here, where all bodies are
-        if (joints_[i] && model().joints[i].kind == JointKind::kHinge &&
-            dJointGetAxisContinuous(joints_[i], 0)) {
-            dJointSetAxisContinuous(joints_[i], 0, 0);
-            dJointSetAxisContinuous(joints_[i], 0, 1);
-        }
+    for (size_t i = 0; i < joints_.size(); ++i) {  // where all bodies are
+        const Joint& joint = model().joints[i];
+        const double position = positions[size_t(joint.position)] - joint.reference;
+        if (joints_[i] && joint.kind == JointKind::kHinge) dJointSetAxisTurn(joints_[i], 0, dReal(position));
+    }
 }
 
 std::vector<double> Robot::positions() const

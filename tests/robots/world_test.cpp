@@ -222,6 +222,40 @@ TEST_F(RobotTest, AHingeStopsAtALimitBeyondHalfATurn)
     EXPECT_NEAR(largest, 5, 0.05);
 }
 
+// Such limits are stops of the hinge: a program reads them, and takes them off.
+TEST_F(RobotTest, LimitsBeyondHalfATurnAreStopsOfTheHinge)
+{
+    load_text(R"(<mujoco><compiler angle="radian"/><worldbody><body pos="0 0 1">
+        <joint name="hinge" axis="0 1 0" range="-0.0175 3.7525"/><geom type="capsule" size=".02" fromto="0 0 0 -.5 0 0" mass="1"/>
+        </body></worldbody></mujoco>)");
+    const dJointID joint = dRobotGetJoint(robot, dRobotModelFindJoint(model, "hinge"));
+    EXPECT_NEAR(double(dJointGetHingeParam(joint, dParamLoStop)), -0.0175, 1e-6);
+    EXPECT_NEAR(double(dJointGetHingeParam(joint, dParamHiStop)), 3.7525, 1e-6);
+    for (const dReal q : {dReal(3.5), dReal(0), dReal(3.7)}) {
+        ASSERT_EQ(dRobotSetPositions(robot, &q, 1), 1);
+        EXPECT_NEAR(positions()[0], q, kExact);
+    }
+    const dReal level = 0;
+    dRobotSetPositions(robot, &level, 1);
+    step(250, dReal(0.002));
+    EXPECT_NEAR(positions()[0], -0.0175, 5e-3) << "held";
+    dJointSetHingeParam(joint, dParamLoStop, -dInfinity);
+    dJointSetHingeParam(joint, dParamHiStop, dInfinity);
+    step(250, dReal(0.002));
+    EXPECT_LT(positions()[0], dReal(-1)) << "falls";
+}
+
+TEST_F(RobotTest, PositionsOfAWideRangeComeBack)
+{
+    load_text(R"(<mujoco><compiler angle="radian"/><worldbody><body>
+        <joint name="hinge" axis="0 0 1" range="-6.28 6.28"/><geom size=".1"/></body></worldbody></mujoco>)");
+    for (const dReal q : {4, -4, 6, -6, 1}) {
+        ASSERT_EQ(dRobotSetPositions(robot, &q, 1), 1);
+        step(1, dReal(0.002));
+        EXPECT_NEAR(positions()[0], q, kExact);
+    }
+}
+
 TEST_F(RobotTest, ExcludedAndOverlappingLinksDoNotTouch)
 {
     load("walker.xml");
