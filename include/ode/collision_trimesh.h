@@ -180,7 +180,7 @@ ODE_API dTriMeshDataID dGeomTriMeshGetTriMeshDataID(dGeomID g);
 
 /** - dGeomTriMeshSetCallback: Set the function that accepts or refuses contacts of the mesh g with a
       triangle; 0: none. It is called for triangles near the other geom, which need not touch it, and for
-      hits of rays.
+      hits of rays. A refused triangle is a hole: solids rest on the edges towards it.
     - dGeomTriMeshGetCallback: The function that dGeomTriMeshSetCallback has set, or 0.
     - dGeomTriMeshSetArrayCallback: Set the function that is given all triangles of the mesh g near the other
       geom at once; 0: none. They need not touch it.

@@ -59,7 +59,7 @@ bool ends_plane(const TriangleMesh& mesh, int t, const Aabb& box)
 bool one_plane(const Surface& surface, NearTriangles& near, const Aabb& box, Real slack, Plane& out)
 {
     const TriangleMesh& mesh = surface.mesh;
-    if (!near.all()) return false;
+    if (!near.all() || near.refused()) return false;
     const Vec3 close = mesh.normal(*near.close().begin());
     for (const int t : near.close())
         if (dot(mesh.normal(t), close) < 1 - 4 * kSameWay || ends_plane(mesh, t, box)) return false;
@@ -200,8 +200,9 @@ void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, NearTr
     }
     ContactCollector collector(Real(1e-6) * (solid.size + solid.radius), sink);
     PlacedHull hull(solid);
-    MeshPair pair{surface.mesh, solid,  slack,     two_sided(a),
-                  near.all(),   as_ode, collector, hull.count() > 0 ? &hull : nullptr};
+    MeshPair pair{surface.mesh,  solid,  slack,     two_sided(a),
+                  near.all(),    as_ode, collector, hull.count() > 0 ? &hull : nullptr,
+                  near.refused()};
     for (const int t : near.close()) {
         if constexpr (std::is_same_v<Shape, Sphere>) {
             ball_on(A.p, a.radius, t, pair);
@@ -211,7 +212,7 @@ void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, NearTr
         const Real height = dot(n, solid.pose.p - surface.mesh.corner(t, 0));
         if (!pair.two_sided && height < -slack) continue;
         if (std::fabs(height) > most_along(a, solid, n) + slack) continue;
-        meet_facet(a, A, facet_of(surface.mesh, t), pair);
+        meet_facet(a, A, pair.facet(t), pair);
     }
     collector.deliver(sink);
 }

@@ -7,56 +7,15 @@
 // the solid, the plane's pair function answers: a flat mesh, however finely divided, is exactly a plane.
 #pragma once
 
-#include <algorithm>
-
 #include "bvh/mesh_tree.h"
 #include "collide/pairs/surfaces/on_surface.h"
+#include "collide/pairs/surfaces/triangle_list.h"
 
 namespace epode {
 
 struct Surface {
     const TriangleMesh& mesh;
     const MeshTree& tree;
-};
-
-// Numbers of triangles: a list without bound that rarely needs memory.
-class TriangleList {
-  public:
-    TriangleList() = default;
-    TriangleList(const TriangleList&) = delete;
-    TriangleList& operator=(const TriangleList&) = delete;
-
-    bool add(int triangle)  // false without memory
-    {
-        if (count_ == capacity_ && !grow()) return false;
-        data_[count_++] = triangle;
-        return true;
-    }
-    void clear() { count_ = 0; }
-    void sort();
-
-    // Keeps those for which keep(triangle) holds.
-    template <typename Keep>
-    void filter(Keep&& keep)
-    {
-        int kept = 0;
-        for (int i = 0; i < count_; ++i)
-            if (keep(data_[i])) data_[kept++] = data_[i];
-        count_ = kept;
-    }
-
-    const int* begin() const { return data_; }
-    const int* end() const { return data_ + count_; }
-    int count() const { return count_; }
-
-  private:
-    static constexpr int kFew = 128;
-    bool grow();
-
-    int few_[kFew];
-    Array<int> many_;
-    int* data_ = few_;
-    int count_ = 0, capacity_ = kFew;
 };
 
 // The triangles near a solid: those that it may touch, in order, and on request all whose boxes overlap its
@@ -73,23 +32,28 @@ class NearTriangles {
     void put_in_order() { near_.sort(); }
 
     // Keeps those for which keep(triangle) holds; it is called once for each. They must be gathered and in
-    // order.
+    // order. `refused` gets the others.
     template <typename Keep>
-    void filter(Keep&& keep)
+    void filter(Keep&& keep, TriangleList& refused)
     {
-        const int before = near_.count();
-        near_.filter(keep);
-        all_ = all_ && near_.count() == before;
-        close_.filter([this](int t) { return std::binary_search(near_.begin(), near_.end(), t); });
+        near_.filter([&](int t) {
+            const bool kept = keep(t);
+            if (!kept) all_ = refused.add(t) && all_;
+            return kept;
+        });
+        close_.filter([&](int t) { return near_.has(t); });
+        refused_ = refused.count() > 0 ? &refused : nullptr;
     }
 
     const TriangleList& near() const { return near_; }
     const TriangleList& close() const { return close_; }
-    bool all() const { return all_; }  // none has been left out
+    bool all() const { return all_; }                         // memory has sufficed
+    const TriangleList* refused() const { return refused_; }  // in order; null: none
 
   private:
     TriangleList leaves_;  // 16 x the leaf of the tree + bits of its triangles
     TriangleList near_, close_;
+    const TriangleList* refused_ = nullptr;
     bool all_ = true, gathered_ = false;
 };
 

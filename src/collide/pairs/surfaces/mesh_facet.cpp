@@ -26,13 +26,14 @@ int corner_at(const TriangleMesh& mesh, int t, Vec3 v)
 }
 
 // Walks around v from triangle t over its edge `over`.
-bool falls_around(const TriangleMesh& mesh, int t, int over, Vec3 v, Vec3 n, bool& border)
+bool falls_around(const TriangleMesh& mesh, const TriangleList* refused, int t, int over, Vec3 v, Vec3 n,
+                  bool& border)
 {
     const int first = t;
     for (int steps = 0; steps < kMostAround; ++steps) {
         const int next = mesh.neighbour(t, over);
         if (next == first) return true;
-        if (next < 0) {
+        if (next < 0 || (refused && refused->has(next))) {
             border = true;
             return true;
         }
@@ -51,16 +52,28 @@ bool falls_around(const TriangleMesh& mesh, int t, int over, Vec3 v, Vec3 n, boo
 
 }  // namespace
 
-MeshFacet facet_of(const TriangleMesh& mesh, int triangle)
+MeshRims rims_of(const TriangleMesh& mesh, int triangle, const TriangleList* refused)
+{
+    MeshRims rims = mesh.rims(triangle);
+    if (!refused) return rims;
+    for (int k = 0; k < 3; ++k)
+        if (const int next = mesh.neighbour(triangle, k); next >= 0 && refused->has(next))
+            rims.rim[k] = Rim::kBorder, rims.sharp[k] = rims.sharp[(k + 1) % 3] = true;
+    return rims;
+}
+
+MeshFacet facet_of(const TriangleMesh& mesh, int triangle, const TriangleList* refused)
 {
     MeshFacet f;
-    static_cast<MeshRims&>(f) = mesh.rims(triangle);
+    static_cast<MeshRims&>(f) = rims_of(mesh, triangle, refused);
     for (int k = 0; k < 3; ++k) f.v[k] = mesh.corner(triangle, k);
     f.n = mesh.normal(triangle);
     f.c = dot(f.n, f.v[0]);
     f.index = triangle;
-    for (int k = 0; k < 3; ++k)
-        if (f.rim[k] != Rim::kSeam) f.beyond[k] = mesh.beyond(triangle, k);
+    for (int k = 0; k < 3; ++k) {
+        if (f.rim[k] == Rim::kSeam) continue;
+        f.beyond[k] = f.rim[k] == Rim::kBorder ? -f.n : mesh.beyond(triangle, k);
+    }
     return f;
 }
 
@@ -88,7 +101,8 @@ Crest crest_at_edge(const MeshFacet& f, int edge, Vec3 n)
     return {.stands = rim == Rim::kConvex && level_or_falls(n, f.into(edge))};
 }
 
-Crest crest_at_corner(const TriangleMesh& mesh, const MeshFacet& f, int corner, Vec3 n)
+Crest crest_at_corner(const TriangleMesh& mesh, const MeshFacet& f, int corner, Vec3 n,
+                      const TriangleList* refused)
 {
     if (!f.sharp[corner]) return {};
     const Vec3 v = f.v[corner];
@@ -97,8 +111,8 @@ Crest crest_at_corner(const TriangleMesh& mesh, const MeshFacet& f, int corner, 
         if (!level_or_falls(n, f.v[(corner + j) % 3] - v)) return {};
     const int k = corner_at(mesh, f.index, v);
     if (k < 0) return {};
-    if (!falls_around(mesh, f.index, k, v, n, c.border)) return {};
-    if (c.border && !falls_around(mesh, f.index, (k + 2) % 3, v, n, c.border)) return {};
+    if (!falls_around(mesh, refused, f.index, k, v, n, c.border)) return {};
+    if (c.border && !falls_around(mesh, refused, f.index, (k + 2) % 3, v, n, c.border)) return {};
     return c;
 }
 

@@ -8,11 +8,13 @@
 //            So m lies in the Voronoi region of the edge or corner.
 // Flat and concave edges have no crest, so a solid that slides over them meets no bumps.
 // Seams are edges so flat that a manifold continues beyond them: they end no manifold.
+// A triangle that the program refuses is not there: the edges towards it are borders.
 #pragma once
 
 #include "collide/pairs/contact_collector.h"
 #include "collide/pairs/polyhedra/placed_hull.h"
 #include "collide/pairs/surfaces/on_surface.h"
+#include "collide/pairs/surfaces/triangle_list.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_mesh.h"
 
@@ -28,8 +30,9 @@ struct MeshFacet : Triangle, MeshRims {
     Vec3 into(int k) const { return cross(edge(k), beyond[k]); }
 };
 
-// Of a triangle that is not degenerate.
-MeshFacet facet_of(const TriangleMesh& mesh, int triangle);
+// Of a triangle that is not degenerate. `refused`: triangles that are not there, in order, or null.
+MeshFacet facet_of(const TriangleMesh& mesh, int triangle, const TriangleList* refused = nullptr);
+MeshRims rims_of(const TriangleMesh& mesh, int triangle, const TriangleList* refused);
 
 // The same triangle from its back.
 MeshFacet turned(const MeshFacet& facet);
@@ -40,11 +43,13 @@ struct MeshPair {
     const ConvexView& solid;  // in the mesh's frame
     Real slack;               // slack_of(solid)
     bool two_sided;           // else only the fronts of triangles have contacts
-    bool whole;               // no triangle is left out; else seams are kept, their neighbours may be missing
-    bool as_ode;              // of a ball: its place on the mesh, and a contact for each triangle under it
+    bool whole;   // memory has sufficed; else seams end manifolds, their neighbours may be missing
+    bool as_ode;  // of a ball: its place on the mesh, and a contact for each triangle under it
     ContactCollector& out;
     PlacedHull* hull = nullptr;  // the solid, if it is a polyhedron
+    const TriangleList* refused = nullptr;
 
+    MeshFacet facet(int triangle) const { return facet_of(mesh, triangle, refused); }
     bool seam(const MeshFacet& f, int edge) const { return whole && f.rim[edge] == Rim::kSeam; }
 };
 
@@ -56,7 +61,8 @@ struct Crest {
 };
 
 Crest crest_at_edge(const MeshFacet& facet, int edge, Vec3 normal);
-Crest crest_at_corner(const TriangleMesh& mesh, const MeshFacet& facet, int corner, Vec3 normal);
+Crest crest_at_corner(const TriangleMesh& mesh, const MeshFacet& facet, int corner, Vec3 normal,
+                      const TriangleList* refused = nullptr);
 
 Shows shown_along(const MeshFacet& facet, Vec3 direction);
 

@@ -17,13 +17,13 @@ namespace epode {
 namespace {
 
 void consult(const Trimesh& mesh, const Surface& surface, const Aabb& box, NearTriangles& near,
-             const ContactSink& sink)
+             TriangleList& refused, const ContactSink& sink)
 {
     const MeshFunctions functions(mesh, sink, false);
     near.gather(surface, box);
     near.put_in_order();
     functions.report({near.near().begin(), std::size_t(near.near().count())});
-    near.filter([&](int t) { return functions.wants(t); });
+    near.filter([&](int t) { return functions.wants(t); }, refused);
 }
 
 // Of a mesh that is solid, a shape whose middle is inside goes out by the nearest way, as from a plane there.
@@ -49,9 +49,10 @@ void collide_mesh(const Shape& a, const Pose& A, const Trimesh& b, const Pose& B
     if (b.is_solid() && pushed_out(a, local, *data, B, sink)) return;
     const Real slack = slack_of(view_of(a, local));
     NearTriangles near;
+    TriangleList refused;
     const Aabb box = box_around(a, local, slack);
     near.find(surface, box, probe_of(a, local, slack), sink.kept());
-    if (b.has_callbacks()) consult(b, surface, box, near, sink);
+    if (b.has_callbacks()) consult(b, surface, box, near, refused, sink);
     sink.number_merged(nullptr, b.merged);
     const int before = sink.count();
     mesh_contacts(a, local, surface, near, sink);

@@ -55,9 +55,9 @@ void round_at_crest(const RoundSolid& s, const MeshFacet& f, int edge, Vec3 p, V
     const int next = (edge + 1) % 3;
     Crest crest;
     if (length2(q - f.v[edge]) <= near2)
-        crest = crest_at_corner(m.mesh, f, edge, n);
+        crest = crest_at_corner(m.mesh, f, edge, n, m.refused);
     else if (length2(q - f.v[next]) <= near2)
-        crest = crest_at_corner(m.mesh, f, next, n);
+        crest = crest_at_corner(m.mesh, f, next, n, m.refused);
     else
         crest = crest_at_edge(f, edge, n);
     if (!crest.stands || (crest.border && over_lip(s, f, p, q, m))) return;
@@ -107,14 +107,14 @@ void ball_on(Vec3 centre, Real radius, int triangle, MeshPair& m)
     const Real above = height > 0 ? height : Real(0);
     if (aside * aside + above * above > top * top) return;
     if (aside <= m.slack) over_inside(centre, radius, n, height, triangle, m);
-    const MeshRims& rims = mesh.rims(triangle);
+    const MeshRims rims = rims_of(mesh, triangle, m.refused);
     const Real inside = -kLevel * top;
     MeshFacet f;
     for (int k = 0; k < 3; ++k) {
         if (beyond[k] < inside || !(rims.sharp[k] || rims.sharp[k == 2 ? 0 : k + 1])) continue;
         const Vec3 q = v[k] + closest_on_segment(v[k], v[k == 2 ? 0 : k + 1], centre) * e[k];
         if (length2(centre - q) > top * top) continue;
-        if (f.index < 0) f = facet_of(mesh, triangle);
+        if (f.index < 0) f = m.facet(triangle);
         round_at_crest({centre, centre, radius}, f, k, centre, q, m);
     }
 }

@@ -106,7 +106,7 @@ class LeastWay : public Way {
         const Shows shows = shown_within(f_, n, tie_);
         if (shows.corners == 3) return;
         if (shows.corners == 2) return judge(n, d, crest_at_edge(f_, shows.at, n), shows.at);
-        const Crest crest = crest_at_corner(m_.mesh, f_, shows.at, n);
+        const Crest crest = crest_at_corner(m_.mesh, f_, shows.at, n, m_.refused);
         if (crest.stands) return judge(n, d, crest, -1);
         // The corner is not the top of its edges: upright to one of them it may be.
         for (const int edge : {shows.at, (shows.at + 2) % 3}) {
