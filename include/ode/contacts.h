@@ -23,6 +23,8 @@ extern "C" {
     Contacts may overlap by the world's surface layer (dWorldSetContactSurfaceLayer), or by 0.2 mm if that
     is 0. They are speculative: bodies that would meet within the step are stopped where they meet, unless
     they are so fast that they would be through (dGeomSetContinuous). A pair has no event before it touches.
+    So callbacks of a mesh and heights of a function are called for where geoms will be, too; the colliders of
+    user classes only for where they are.
 
     A pair is left out if ODE's rules say so (category and collide bits, disabled geoms, geoms of one body),
     if a joint connects its bodies, if neither has a body that can move, or if the filter rejects it. How
@@ -124,7 +126,7 @@ typedef struct dWorldContact {
     dGeomID g2;              /**< the other one; both are 0 if destroyed since the step */
     dVector3 pos;            /**< where, in the world, at the step's beginning, m */
     dVector3 normal;         /**< unit, into g1 */
-    dReal depth;             /**< at the step's beginning; below 0: still apart then, m */
+    dReal depth;             /**< at the step's beginning; below 0: the gap that the step has closed, m */
     dReal normal_force;      /**< along the normal, the mean over the step, N */
     dVector3 friction_force; /**< on g1, N */
 } dWorldContact;

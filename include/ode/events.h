@@ -56,7 +56,7 @@ typedef struct dEvent {
     dGeomID g2;     /**< the other geom */
     dJointID joint; /**< the joint that broke */
     dVector3
-        pos; /**< contacts: centre of the impulses, at the step's beginning; breaks: body 1's centre, m */
+        pos; /**< contacts: centre of the impulses, where the step has taken it; breaks: body 1's centre, m */
     dVector3 normal; /**< contacts: unit, into g1; breaks: direction of the force on body 1 */
     dReal
         approach_speed; /**< contacts: along the normal at the step's beginning, of the fastest point, m/s */

@@ -51,6 +51,9 @@ bool rays_overridden();
 // holds is not examined: yes.
 bool may_call_program(Geom& a, Geom& b);
 
+// Whether functions of the program collide the two: they see the geoms where these are, and nowhere else.
+bool program_collides(Geom& a, Geom& b);
+
 // A number that changes with every reported change of the shape; and whether the shape may change without a
 // report, as heights do that belong to the program.
 std::uint32_t changes_of(const Geom& geom);

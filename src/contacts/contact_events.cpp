@@ -4,7 +4,8 @@
 // Contact events with their physics. Of a pair with points i, normals n_i and normal impulses p_i of the whole
 // step,
 //   impulse          sum p_i                              along the normals, so the sum of their lengths
-//   pos, normal      sum p_i x_i / sum p_i, and the direction of sum p_i n_i; if nothing was exerted, the means
+//   pos, normal      sum p_i x_i / sum p_i, and the direction of sum p_i n_i; if nothing was exerted, the means;
+//                    x_i where the points are after the step: before it they may still have been apart
 //   approach_speed   max(0, max_i -n_i . u_i),   u_i = v1 + w1 x r1 - v2 - w2 x r2   before the step
 // The velocities are gone when the impulses are known, so the speeds are measured between the search for
 // islands and the solution, and only for worlds that list events.
@@ -19,6 +20,18 @@ namespace {
 Vec3 velocity_at(const Body* body, Float3 arm)
 {
     return body ? body->velocity() + cross(body->angular_velocity(), widen(arm)) : Vec3{};
+}
+
+// Where a point is after the step: it goes along with the one that moves, from the surface of that one.
+Vec3 place_after(const ContactPair& pair, const CachedManifold& kept, const ManifoldPoint& point)
+{
+    const Vec3 at = kept.origin + widen(point.r1), n = widen(kept.manifold.normal);
+    const Vec3 way1 = pair.body1->position() - kept.origin;
+    const Vec3 way2 = pair.body2 ? pair.body2->position() - (at - widen(point.r2)) : Vec3{};
+    if (moves(pair.body1) && moves(pair.body2)) return at + Real(0.5) * (way1 + way2);
+    const bool on_surface = point.separation <= kept.layer || rounds_on_what_stands(pair);
+    const Vec3 gap = on_surface ? Vec3{} : Real(0.5) * Real(point.separation - kept.layer) * n;
+    return moves(pair.body1) ? at + gap + way1 : at - gap + way2;
 }
 
 }  // namespace
@@ -51,7 +64,7 @@ dEvent ContactWorld::impact_of(const ContactPair& pair) const
         for (int i = 0; i < kept.manifold.count; ++i) {
             const ManifoldPoint& point = kept.manifold.points[i];
             if (!touches(kept, point)) continue;
-            const Vec3 x = kept.origin + widen(point.r1);
+            const Vec3 x = place_after(pair, kept, point);
             const Real p = Real(point.normal_impulse);
             ++weight, impulse += p;
             place += p * x, normal += p * n, mean_place += x, mean_normal += n;

@@ -295,16 +295,19 @@ NearLeaves* ContactWorld::leaves_of(const ContactPair& pair)
 // Manifolds of a piece lie close together, at the beginning of its room: gaps cost no memory of the cache.
 void ContactWorld::collide_pairs(const World& world, Real h, const Tasks& tasks)
 {
-    // Functions of the program are called by the caller's thread, and first; they are asked about the present
-    // only.
+    // Functions of the program are called by the caller's thread, and first; those that collide geoms about the
+    // present only.
     NarrowSettings settings{.layer = contact_layer(world),
                             .layer_fits = !(world.contact_layer > 0),
                             .soon = {h, world.gravity},
                             .foresees = false};
     ContactPair* pairs = fresh_.pairs.data();
     const int count = fresh_.pairs.size();
-    for (ContactPair& pair : fresh_.pairs)
-        if (pair.asked) update_one(pair, pair.first, settings);
+    for (ContactPair& pair : fresh_.pairs) {
+        if (!pair.asked) continue;
+        settings.foresees = !program_collides(*from_handle<Geom>(pair.id1), *from_handle<Geom>(pair.id2));
+        update_one(pair, pair.first, settings);
+    }
     settings.foresees = true;
     tasks.for_each((count + kPiece - 1) / kPiece, [&](int piece, int) {
         constexpr int kAhead = 4;

@@ -70,7 +70,8 @@ Vec3 normal_of(const ManifoldFinding& found, const Pose& pose1, const Pose& pose
 
 }  // namespace
 
-void fix_points(const ManifoldMaker& maker, int part, const Pose& A, const Pose& B, ContactAnchors& anchors)
+void fix_points(const ManifoldMaker& maker, int part, const Pose& A, const Pose& B, Anchors how,
+                ContactAnchors& anchors)
 {
     const auto all = [&](auto&& number) {
         return quad_of(maker.count(part), [&](int i) { return number(maker.source(part, i)); });
@@ -78,8 +79,16 @@ void fix_points(const ManifoldMaker& maker, int part, const Pose& A, const Pose&
     const auto coordinate = [&](int k) { return all([k](const dContactGeom& c) { return c.pos[k]; }); };
     const Places at = {coordinate(0), coordinate(1), coordinate(2)};
     fix(at, A, anchors.a1);
-    fix(at, B, anchors.a2);
-    store_floats(anchors.separation, narrow(all([](const dContactGeom& c) { return -c.depth; })));
+    if (how == Anchors::kTogether) {
+        fix(at, B, anchors.a2);
+        store_floats(anchors.separation, narrow(all([](const dContactGeom& c) { return -c.depth; })));
+        return;
+    }
+    const auto across = [&](int k) {
+        return all([k](const dContactGeom& c) { return c.depth * c.normal[k]; });
+    };
+    fix({at.x + across(0), at.y + across(1), at.z + across(2)}, B, anchors.a2);
+    store_floats(anchors.separation, FloatQuad{});
 }
 
 Real largest_reach2(const float (&at)[3][kManifoldPoints])

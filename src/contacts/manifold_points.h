@@ -36,8 +36,11 @@ class ManifoldMaker {
     int used_ = 0;
 };
 
-// Fixes the points of a manifold in both geoms, which were at A and B when they were found.
-void fix_points(const ManifoldMaker& maker, int part, const Pose& A, const Pose& B, ContactAnchors& anchors);
+// Fixes the points of a manifold in both geoms, which were at A and B when they were found: one place in both, or, of
+// contacts that lie on the surface of g1, in each the place on its own surface.
+enum class Anchors { kTogether, kOnSurfaces };
+void fix_points(const ManifoldMaker& maker, int part, const Pose& A, const Pose& B, Anchors how,
+                ContactAnchors& anchors);
 
 // The square of how far from the geom's place one of the points is: what a turn moves it by.
 Real largest_reach2(const float (&at)[3][kManifoldPoints]);

@@ -39,9 +39,6 @@ Real size_of(Geom& a, Geom& b)
     return size < kInf ? size : 1;
 }
 
-// What of it touches is no point of the body, as corners are, but wherever its surface comes nearest.
-bool is_round(const Geom& geom) { return is_solid(geom) && geom.type->solid->round; }
-
 // Functions of the program may have made it.
 bool sound(const dContactGeom& c)
 {
@@ -170,15 +167,16 @@ class PairUpdate {
         out.margin = margin();
         const Aabb &box1 = box_of(g1_), &box2 = box_of(g2_);
         if (!apart_ && overlap(box1, box2)) epode::collide(g1_, g2_, out);
-        if (out.count > 0) return take(out, pose1_, pose2_, old, true);
+        if (out.count > 0) return take(out, pose1_, pose2_, old, Anchors::kTogether);
         const SpeculativeMotion& soon = settings_.soon;
         if (!draws_near() || !overlap(soon.box(pair_.body1, box1), soon.box(pair_.body2, box2))) return;
         const Pose soon1 = soon.pose(pair_.body1, pose1_), soon2 = soon.pose(pair_.body2, pose2_);
         if (can_be_separated() && find_separating_axis(soon1, soon2)) return;
         collide_at(g1_, soon1, g2_, soon2, out);
-        take(out, soon1, soon2, {}, false);
-        if (one_stands() && (is_round(g1_) || is_round(g2_)))
-            for (CachedManifold& part : parts_.first(pair_.count)) look_back(part, soon1);
+        for (int i = 0; i < out.count; ++i) move_to_surface(*out.at(i), soon2);
+        take(out, soon1, soon2, {}, Anchors::kOnSurfaces);
+        if (rounds_on_what_stands(pair_))
+            for (CachedManifold& part : parts_.first(pair_.count)) look_back(part, soon1, soon2);
         drop_passed();
     }
 
@@ -195,32 +193,49 @@ class PairUpdate {
 
     static Real spin(const Body* body) { return body ? length(body->angular_velocity()) : 0; }
 
+    // Pair functions give the place of a contact on one of the two surfaces, or between them; what meets at the end
+    // of the way is deep by much of it, and still apart now. Moves the place to the surface of g1. Planes, meshes
+    // and height fields give it on the solid's; two solids anywhere, and the part of g1 that is d deep is by d
+    // below the top of g2 along the normal.
+    void move_to_surface(dContactGeom& c, const Pose& soon2) const
+    {
+        const Vec3 n = load(c.normal), at = load(c.pos);
+        const Real depth = c.depth > 0 ? c.depth : 0;
+        Real inside = depth / 2;
+        if (is_solid(g1_) && is_solid(g2_)) {
+            const ConvexView other = solid_view(g2_, soon2);
+            const Real top = dot(n, other.support(n)) + other.radius;
+            inside = std::clamp(dot(n, at) - top + depth, Real(0), depth);
+        } else if (is_solid(g1_) || is_solid(g2_)) {
+            inside = is_solid(g1_) ? 0 : depth;
+        }
+        store(c.pos, at - inside * n);
+    }
+
     // Points of round solids on what stands, found at the end of the way, seen from now. Solvers let a gap
     // change by n . (v + w x r), as if points moved straight on: r is therefore the arm where the two meet,
     // and the gap the one that so becomes what was found. (Fixed in the body, the lowest point of a ball that
     // rolls a millimetre above the ground is in front now, comes down, and throws it up. Corners of polyhedra
     // are fixed.)
-    void look_back(CachedManifold& part, const Pose& soon1) const
+    void look_back(CachedManifold& part, const Pose& soon1, const Pose& soon2) const
     {
         const SpeculativeMotion& soon = settings_.soon;
         const Vec3 way1 = soon.h * soon.velocity(pair_.body1), way2 = soon.h * soon.velocity(pair_.body2);
-        // Until then the point goes along with the one that moves, see solve/substeps/manifold_kernels.inc.
-        const Vec3 behind = moves(pair_.body1) ? Vec3{} : way1 - way2;
+        const Vec3 n = widen(part.manifold.normal);
         for (int i = 0; i < part.manifold.count; ++i) {
             ManifoldPoint& point = part.manifold.points[i];
-            const Vec3 at = soon1.p + soon1.R * widen(part.found.anchors.first(i)) - way1 + behind;
+            const Vec3 at1 = soon1.p + soon1.R * widen(part.found.anchors.first(i)),
+                       at2 = soon2.p + soon2.R * widen(part.found.anchors.second(i));
+            // Until then the point goes along with the one that moves, see solve/substeps/manifold_kernels.inc.
+            const Vec3 at = moves(pair_.body1) ? at1 - way1 : at2 - way2;
             const Vec3 r1 = at - x1_, r2 = at - x2_;
             const Vec3 u = way1 + turn_of(pair_.body1, r1) - way2 - turn_of(pair_.body2, r2);
             point.r1 = narrow(r1);
             point.r2 = narrow(pair_.body2 ? r2 : Vec3{});
-            point.separation =
-                float(Real(part.found.anchors.separation[i]) + layer() - dot(widen(part.manifold.normal), u));
+            point.separation = float(dot(n, at1 - at2) + layer() - dot(n, u));
         }
     }
 
-    // Between two that move, points stay fixed in both: their arms hold the angular momentum.
-    bool one_stands() const { return !moves(pair_.body1) || !moves(pair_.body2); }
-    static bool moves(const Body* body) { return body && !body->kinematic(); }
     Vec3 turn_of(const Body* body, Vec3 r) const
     {
         return body ? settings_.soon.h * cross(body->angular_velocity(), r) : Vec3{};
@@ -238,16 +253,16 @@ class PairUpdate {
         pair_.count = std::uint8_t(end - parts_.begin());
     }
 
-    // The contacts of the two at A and B; `present`: where they are.
+    // The contacts of the two at A and B.
     void take(const ContactArray& out, const Pose& A, const Pose& B, std::span<const CachedManifold> old,
-              bool present)
+              Anchors how)
     {
         ManifoldMaker maker(parts_);
         for (int i = 0; i < out.count; ++i)
             if (sound(*out.at(i))) maker.add(*out.at(i));
         maker.finish();
         pair_.count = std::uint8_t(maker.used());
-        for (int part = 0; part < pair_.count; ++part) settle(part, maker, A, B, old, present);
+        for (int part = 0; part < pair_.count; ++part) settle(part, maker, A, B, old, how);
     }
 
     // Polyhedra touch at corners and where edges cross, and all of these nearby can be told at once. Round
@@ -268,7 +283,7 @@ class PairUpdate {
 
     // Anchors, and impulses from the points that were near.
     void settle(int index, const ManifoldMaker& maker, const Pose& A, const Pose& B,
-                std::span<const CachedManifold> old, bool present)
+                std::span<const CachedManifold> old, Anchors how)
     {
         CachedManifold& part = parts_[std::size_t(index)];
         ManifoldFinding& found = part.found;
@@ -280,9 +295,9 @@ class PairUpdate {
         manifold.rolling_impulse = {}, manifold.struck = false;
         for (int i = 0; i < manifold.count; ++i)
             manifold.points[i].normal_impulse = 0, manifold.points[i].friction_impulse = {};
-        fix_points(maker, index, A, B, found.anchors);
+        fix_points(maker, index, A, B, how, found.anchors);
         place(part, part);
-        if (present) place_found(maker, index, x1_, pair_.body2 ? &x2_ : nullptr, manifold);
+        if (how == Anchors::kTogether) place_found(maker, index, x1_, pair_.body2 ? &x2_ : nullptr, manifold);
         const Real size = this->size();
         for (const CachedManifold& was : old) inherit_impulses(was, size, part);
     }

@@ -24,6 +24,19 @@ inline Body* body_of(const Geom& geom) { return from_handle<Body>(geom.body.id);
 
 inline bool awake(const Body* body) { return body && !body->disabled; }
 
+inline bool moves(const Body* body) { return body && !body->kinematic(); }
+
+// What of it touches is no point of the body, as corners are, but wherever its surface comes nearest.
+inline bool is_round(const Geom& geom) { return is_solid(geom) && geom.type->solid->round; }
+
+// Points that do not touch yet are where the two will, on the surface of the one that moves. Between two that
+// move, points stay fixed in both: their arms hold the angular momentum.
+inline bool rounds_on_what_stands(const ContactPair& pair)
+{
+    return (!moves(pair.body1) || !moves(pair.body2)) &&
+           (is_round(*from_handle<Geom>(pair.id1)) || is_round(*from_handle<Geom>(pair.id2)));
+}
+
 // Rays measure; they exert no force.
 inline bool can_push(const Geom& geom) { return geom.type->number != dRayClass; }
 

@@ -441,6 +441,12 @@ bool may_call_program(Geom& a, Geom& b)
            (any_overridden() && collider_of(a.type->number, b.type->number).user);
 }
 
+bool program_collides(Geom& a, Geom& b)
+{
+    const auto opens = [](Geom& geom) { return is_user_class(geom.type->number) || as_transform(geom); };
+    return opens(a) || opens(b) || (any_overridden() && collider_of(a.type->number, b.type->number).user);
+}
+
 std::uint32_t changes_of(const Geom& geom)
 {
     const HeightfieldData* field = field_of(geom);

@@ -166,16 +166,21 @@ void face_contacts(const Side& reference, const Side& incident, Vec3 inward, boo
     const Vec3 plane = incident.view.pose.R.column(2);
     const Vec3 c2 = centre_of(incident.feature);
     const bool level = is_end(incident.view, incident.feature) && std::fabs(dot(plane, axis)) > Real(0.5);
-    const Real hair = 32 * kEpsilon * size;
+    const Real hair = 32 * kEpsilon * size, touch = Real(1e-5) * size;
+    Vec3 nearest;
+    Real least_gap = touch;
     for (int i = 0; i < cut.count; ++i) {
         Vec3 x = cut.points[i];
         if (level) x += (dot(plane, c2 - x) / dot(plane, axis)) * axis;  // into the plane of the incident end
         const Real below = -dot(axis, x - centre) / lean;
         Real d = (below < depth ? below : depth) + radii;
         if (d < 0 && d >= -hair) d = 0;
+        if (-d < least_gap) nearest = x + own, least_gap = -d;
         out.add(x + own, normal, d);
     }
-    if (out.touching == 0 || out.largest < depth + radii - Real(1e-5) * size)
+    // What is over the face hardly touches: it does, and not what is deeper aside of the face.
+    if (out.touching == 0 && least_gap < touch && depth + radii < touch) return out.add(nearest, normal, 0);
+    if (out.touching == 0 || out.largest < depth + radii - touch)
         out.add(incident.view.support(inward) + own, normal, depth + radii > 0 ? depth + radii : Real(0));
 }
 
