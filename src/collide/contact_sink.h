@@ -19,6 +19,10 @@ namespace epode {
 
 struct NearLeaves;  // bvh/near_leaves.h
 
+// As side1 of a contact that the program does not read: at a border of a surface, which is not in the way where
+// another surface continues (contacts/flush_floors.cpp).
+inline constexpr int kAtBorder = -2;
+
 struct ContactPoint {
     Vec3 position;
     Vec3 normal;

@@ -95,7 +95,9 @@ bool ContactWorld::update(const World& world, Space& in, Real h, const Tasks& ta
         few_active_ ? find_geom_pairs(in, active_, near_, found_) : find_geom_pairs(in, soon, tasks, found_);
     if (!found || !choose_pairs(world, tasks) || !list_pairs(world, tasks)) return false;
     if (filter) ask_filter();
+    floor_ = 0, has_seams_ = false;
     collide_pairs(world, h, tasks);
+    if (has_seams_ && !drop_hidden_contacts()) return false;
     brought_ = last_.pairs.size();
     return true;
 }
@@ -264,7 +266,9 @@ void ContactWorld::update_one(ContactPair& pair, int place, const NarrowSettings
     pair.touched = touches(old);
     if (all_asleep_.load(std::memory_order_relaxed)) all_asleep_.store(false, std::memory_order_relaxed);
     if (pair.wanted && !pair.tied) update_pair(pair, old, settings, fresh_.manifolds.data() + place, leaves);
-    if (pair.count > 0) watch(pair, kTouch);
+    if (pair.count == 0) return;
+    watch(pair, kTouch);
+    note_floor(pair);
 }
 
 // Those of the step before.

@@ -118,6 +118,13 @@ class ContactWorld {
     };
     dEvent impact_of(const ContactPair& pair) const;
 
+    // A solid that moves, on what stands: its number, the pair's place, whether it is g1.
+    struct FloorPair {
+        std::uint64_t solid;
+        int pair;
+        bool first;
+    };
+
     // A pair that a state may have.
     struct Listed {
         const ContactPair* pair;
@@ -158,6 +165,12 @@ class ContactWorld {
     void update_one(ContactPair& pair, int place, const NarrowSettings& settings);
     void keep_manifolds(ContactPair& pair, int place);
     NearLeaves* leaves_of(const ContactPair& pair);
+    // Contacts with edges and sides of floors that another floor continues (contacts/flush_floors.cpp).
+    bool has_border(const ContactPair& pair) const;
+    void note_floor(const ContactPair& pair);
+    [[nodiscard]] bool list_floors();
+    void empty_hidden(const FloorPair& at, const FloorPair& on);
+    [[nodiscard]] bool drop_hidden_contacts();
 
     template <typename F>
     void for_each_pair(F&& f) const
@@ -174,6 +187,10 @@ class ContactWorld {
     Array<GeomPair> found_;
     Array<PairRange> ranges_;
     Array<int> table_;
+    Array<FloorPair> floors_;
+    // In this step: one that is touched, 0: none; whether contacts may have to be dropped.
+    std::atomic<std::uint64_t> floor_{0};
+    std::atomic<bool> has_seams_{false};
     // While a state is written or read.
     Array<Listed> listed_;
     Array<Described> described_;

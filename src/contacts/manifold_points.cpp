@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "collide/contact_sink.h"
 #include "geometry/best_four.h"
 #include "simd/pack_algebra.h"
 #include "simd/quad.h"
@@ -89,6 +90,15 @@ void fix_points(const ManifoldMaker& maker, int part, const Pose& A, const Pose&
     };
     fix({at.x + across(0), at.y + across(1), at.z + across(2)}, B, anchors.a2);
     store_floats(anchors.separation, FloatQuad{});
+}
+
+bool ManifoldMaker::at_border(int part) const
+{
+    for (int i = 0; i < counts_[part]; ++i) {
+        const dContactGeom& c = source(part, i);
+        if (c.side1 != kAtBorder && c.side2 != kAtBorder) return false;
+    }
+    return true;
 }
 
 Real largest_reach2(const float (&at)[3][kManifoldPoints])

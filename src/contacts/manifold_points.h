@@ -22,6 +22,7 @@ class ManifoldMaker {
     void finish();
     int used() const { return used_; }
     int count(int part) const { return counts_[part]; }  // of its points
+    bool at_border(int part) const;                      // all of them
     const dContactGeom& source(int part, int point) const { return *chosen_[part][point]; }
 
   private:

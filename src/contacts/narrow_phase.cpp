@@ -293,6 +293,7 @@ class PairUpdate {
         for (int k = 0; k < 3; ++k) found.turn[k] = narrow(turn_.row(k));
         found.normal = narrow(transposed_times(pose1_.R, widen(manifold.normal)));
         manifold.rolling_impulse = {}, manifold.struck = false;
+        manifold.at_border = maker.at_border(index);
         for (int i = 0; i < manifold.count; ++i)
             manifold.points[i].normal_impulse = 0, manifold.points[i].friction_impulse = {};
         fix_points(maker, index, A, B, how, found.anchors);

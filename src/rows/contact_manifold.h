@@ -46,6 +46,7 @@ struct ContactManifold {
     float damping_time;           // of a compliant point: damper over spring, s
     Float3 rolling_impulse;       // angular, on body1, over the whole step, N m s; in and out
     bool struck;                  // in the last step: its impulses are a blow's, and say nothing of this one
+    bool at_border;               // of a surface, with another normal than its own
     ManifoldPoint points[kManifoldPoints];
 
     bool special() const { return rolling_friction > 0 || compliance > 0; }

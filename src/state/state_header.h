@@ -8,7 +8,8 @@
 //   3 -> 4   contact manifolds (contacts/state/contact_format.h), the seed of dRand (state/world_state.h),
 //            checksum
 //   4 -> 5   manifolds that were struck (contacts/state/contact_format.h)
-//   5 -> 6   turns of angles with the stops (joints/limit_motor.cpp), no longer with the drives
+//   5 -> 6   turns of angles with the stops (joints/limit_motor.cpp), no longer with the drives; manifolds at
+//            borders (contacts/state/contact_format.h)
 #pragma once
 
 #include <cstddef>

@@ -21,6 +21,10 @@ class ContactCollector {
     {
         add({position, normal, depth, -1, side2});
     }
+    void add_at_border(Vec3 position, Vec3 normal, Real depth, int side2 = -1)
+    {
+        add({position, normal, depth, sink_.to_program() ? -1 : kAtBorder, side2});
+    }
     // Never merges the contact with another.
     void add_apart(const ContactPoint& point);
     bool empty() const { return count_ == 0; }

@@ -288,6 +288,18 @@ bool Terrain::crests(const Facet& f, Vec3 n) const
     return falls_around(f, shows.top, n, kLevel);
 }
 
+bool Terrain::ends_at(const Facet& f, Vec3 n) const
+{
+    const Shows shows = shown_along(f, n, kLevel);
+    if (shows.corners == 3) return false;
+    if (shows.corners == 2) {
+        const GridStep across = kAcross[f.upper][shows.at];
+        return !has(f.i + across.i, f.j + across.j);
+    }
+    const int i = f.i + kCorner[f.upper][shows.top].i, j = f.j + kCorner[f.upper][shows.top].j;
+    return !(has(i - 1, j) && has(i + 1, j) && has(i, j - 1) && has(i, j + 1));
+}
+
 bool Terrain::has_ridge(const Facet& f) const
 {
     for (int k = 0; k < 3; ++k) {

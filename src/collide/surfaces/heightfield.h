@@ -124,6 +124,8 @@ class Terrain {
     // n? Only there can a solid that touches the facet have a contact along n: at flat and hollow edges n
     // must be that of a face.
     bool crests(const Facet& facet, Vec3 n) const;
+    // Is that place at a border of the field?
+    bool ends_at(const Facet& facet, Vec3 n) const;
 
     // Does the surface fall away behind an edge of the facet?
     bool has_ridge(const Facet& facet) const;

@@ -150,7 +150,7 @@ void begin_reading(std::uint32_t bits, float layer, CachedManifold& kept)
     kept.layer = layer;
     kept.manifold.count = int(bits & kPoints);
     kept.manifold.normal = kept.manifold.surface_velocity = kept.manifold.rolling_impulse = {};
-    kept.manifold.struck = false;
+    kept.manifold.struck = kept.manifold.at_border = false;
 }
 
 void get_rare(const std::byte*& from, std::uint32_t bits, CachedManifold& kept)

@@ -34,8 +34,9 @@ enum PairBit : std::uint32_t {
     kTouched = 8,
     kRests = 16,
     kSeparatingAxis = 32,
-    kStruck = 64,  // one of its manifolds is: a word with a bit for each follows
+    kStruck = 64,  // one of its manifolds is, or is at a border: a word with two bits for each follows
 };
+// In that word: bit i of manifold i if it is struck, bit kSurfaceManifolds + i if it is at a border.
 // Of a manifold.
 enum ManifoldBit : std::uint32_t {
     kPoints = 7,

@@ -152,7 +152,11 @@ void ContactWorld::save_pair(const Listed& listed, float layer, const SpaceGeoms
     word(0);
     if (separated) word(pair.separating_axis);
     std::uint32_t struck = 0;
-    for (int i = 0; i < pair.count; ++i) struck |= std::uint32_t(listed.manifolds[i].manifold.struck) << i;
+    for (int i = 0; i < pair.count; ++i) {
+        const ContactManifold& manifold = listed.manifolds[i].manifold;
+        struck |= std::uint32_t(manifold.struck) << i;
+        struck |= std::uint32_t(manifold.at_border) << (kSurfaceManifolds + i);
+    }
     if (struck) word(struck);
     const std::uint32_t changes = described_.data()[n1].changes + described_.data()[n2].changes;
     std::uint32_t bits = pair.count | (pair.wanted ? kWanted : 0u) | (pair.touched ? kTouched : 0u) |
@@ -249,6 +253,7 @@ bool ContactWorld::load_pair(const World& world, StateStream& stream, std::uint3
         CachedManifold& kept = list.manifolds.data()[int(used++)];
         load_manifold(bits_of_manifold(bits, i, stream.format()), a.changes + b.changes, layer, stream, kept);
         kept.manifold.struck = struck >> i & 1;
+        kept.manifold.at_border = struck >> (kSurfaceManifolds + i) & 1;
     }
     out.any_rests = out.any_rests || bits & kRests;
     (void)list.pairs.push(pair), (void)out.rests.push(bits & kRests ? 1 : 0);

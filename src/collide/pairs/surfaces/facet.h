@@ -54,6 +54,12 @@ struct TerrainPair {
     ContactCollector& out;
     HoleWalls* walls = nullptr;  // there are holes under the solid
     PlacedHull* hull = nullptr;  // the solid, if it is a polyhedron
+
+    // A contact whose normal is not the facet's own.
+    void add_crest(const Facet& facet, Vec3 at, Vec3 normal, Real depth)
+    {
+        terrain.ends_at(facet, normal) ? out.add_at_border(at, normal, depth) : out.add(at, normal, depth);
+    }
 };
 
 inline constexpr Vec3 kUp{0, 1, 0};

@@ -53,7 +53,7 @@ void round_at_edge(const RoundSolid& s, const Facet& f, bool rim, Vec3 p, Vec3 q
     if (distance > s.r || !(distance > m.slack) || !normalize(n)) return;
     if (rim ? n.y < 0 : n.y < kSteepest || dot(n, f.n) < 0) return;
     if (!m.terrain.crests(f, n)) return;
-    m.out.add(p - s.r * n, n, s.r - distance);
+    m.add_crest(f, p - s.r * n, n, s.r - distance);
 }
 
 // The edge between two walls that meet at corner k of the facet; `one` and `other` point into the hole.

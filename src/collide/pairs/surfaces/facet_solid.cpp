@@ -324,7 +324,8 @@ void add_crest_contacts(const Facet& f, Vec3 normal, Real depth, TerrainPair& m)
     const Vec3 margin{m.slack, m.slack, m.slack};
     for (int k = 0; k < sink.count(); ++k) {
         const Vec3 p = load(found[k].pos);
-        if (overlap({p - margin, p + margin}, m.box)) m.out.add(p, load(found[k].normal), found[k].depth);
+        if (overlap({p - margin, p + margin}, m.box))
+            m.add_crest(f, p, load(found[k].normal), found[k].depth);
     }
 }
 

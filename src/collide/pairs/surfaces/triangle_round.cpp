@@ -42,7 +42,7 @@ bool over_lip(const RoundSolid& s, const MeshFacet& f, Vec3 p, Vec3 q, MeshPair&
     const Real height = f.height(p);
     if (!(s.r - height < kLip * s.r)) return false;
     const Real side2 = length2(p - q) - height * height, rise2 = s.r * s.r - side2;
-    if (rise2 > height * height) m.out.add(q, f.n, std::sqrt(rise2) - height, f.index);
+    if (rise2 > height * height) m.out.add_at_border(q, f.n, std::sqrt(rise2) - height, f.index);
     return true;
 }
 
@@ -61,7 +61,9 @@ void round_at_crest(const RoundSolid& s, const MeshFacet& f, int edge, Vec3 p, V
     else
         crest = crest_at_edge(f, edge, n);
     if (!crest.stands || (crest.border && over_lip(s, f, p, q, m))) return;
-    m.out.add(m.as_ode ? q : p - s.r * n, n, s.r > distance ? s.r - distance : 0, f.index);
+    const Vec3 at = m.as_ode ? q : p - s.r * n;
+    const Real depth = s.r > distance ? s.r - distance : 0;
+    crest.border ? m.out.add_at_border(at, n, depth, f.index) : m.out.add(at, n, depth, f.index);
 }
 
 // A ball over a triangle.

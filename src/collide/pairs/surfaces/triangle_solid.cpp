@@ -32,6 +32,7 @@ struct Way {
     Vec3 normal;
     Real depth = 0;
     bool on_crest = false;  // the normal is not the triangle's own
+    bool at_border = false;
     // Least overlap in directions that are no contact's. When it is less than a crest's, the solid is not on
     // that crest: it has barely come over this triangle, and what it really touches is another.
     Real blocked = kInf;
@@ -135,7 +136,7 @@ class LeastWay : public Way {
     {
         if (crest.stands) {
             if (!crest.border || own_ > kLip * m_.solid.size)
-                normal = n, depth = d > 0 ? d : 0, on_crest = true;
+                normal = n, depth = d > 0 ? d : 0, on_crest = true, at_border = crest.border;
             return;
         }
         blocked = d < blocked ? d : blocked;
@@ -347,13 +348,16 @@ class LeastWay : public Way {
 };
 
 // A crest of the surface penetrates the solid.
-void add_crest_contacts(const MeshFacet& f, Vec3 normal, Real depth, MeshPair& m)
+void add_crest_contacts(const MeshFacet& f, const Way& way, MeshPair& m)
 {
     dContactGeom found[4];
     ContactSink sink(found, sizeof(dContactGeom), 4, false);
-    convex_manifold(m.solid, view_of(f), normal, depth, sink);
-    for (int k = 0; k < sink.count(); ++k)
-        m.out.add(load(found[k].pos), load(found[k].normal), found[k].depth, f.index);
+    convex_manifold(m.solid, view_of(f), way.normal, way.depth, sink);
+    for (int k = 0; k < sink.count(); ++k) {
+        const Vec3 at = load(found[k].pos), normal = load(found[k].normal);
+        way.at_border ? m.out.add_at_border(at, normal, found[k].depth, f.index)
+                      : m.out.add(at, normal, found[k].depth, f.index);
+    }
 }
 
 // The rest of the search is only for what has contacts, and most of it for what is not seen to touch.
@@ -366,7 +370,7 @@ void add_contacts_if_met(const MeshFacet& f, LeastWay& least, MeshPair& m)
     if (!least.on_crest && contacts.met(m.solid.pose.p)) return contacts.deliver();
     if (!least.search_all()) return;
     if (least.on_crest)
-        add_crest_contacts(f, least.normal, least.depth, m);
+        add_crest_contacts(f, least, m);
     else
         contacts.deliver();
 }
@@ -375,7 +379,7 @@ void meet_side(const MeshFacet& f, MeshPair& m)
 {
     LeastWay least(f, m);
     if (!least.search()) return;
-    if (least.on_crest) return add_crest_contacts(f, least.normal, least.depth, m);
+    if (least.on_crest) return add_crest_contacts(f, least, m);
     if (least.quick()) return add_contacts_if_met(f, least, m);
     FacetContacts contacts(f, m);
     collect_facet_contacts(m.solid, m.hull, f, contacts);
@@ -395,7 +399,7 @@ bool add_crest_if_least(const MeshFacet& f, MeshPair& m)
 {
     LeastWay least(f, m);
     if (!least.search() || !least.on_crest) return false;
-    add_crest_contacts(f, least.normal, least.depth, m);
+    add_crest_contacts(f, least, m);
     return true;
 }
 
