@@ -90,16 +90,17 @@ class TurnedScene : public testing::TestWithParam<std::tuple<Stepper, bool, bool
 
 TEST_P(TurnedScene, ends_turned_and_else_the_same)
 {
-    // Places of world-managed contacts are floats, and tumbling lets their rounding grow a thousandfold.
+    // Places of world-managed contacts are floats, and tumbling lets their rounding grow a thousandfold, or more
+    // where a box meets an edge on either side: three in ten of its throws, in every stepper.
     const double bound = tol(world_contacts() ? 1e-4 : 1e-8, 2e-2);
     for (int shape = 0; shape < kShapes; ++shape) {
         int same = 0;
-        for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+        for (std::uint32_t seed = 1; seed <= 20; ++seed) {
             const V3 axis = Random(seed + 100).point(1);
             const Turn turn((1 / length(axis)) * axis, 0.4 * seed);
             same += length(end(shape, seed, turn) - end(shape, seed, Turn())) < bound;
         }
-        EXPECT_GE(same, 4) << "shape " << shape << ": one in five may meet an edge on either side";
+        EXPECT_GE(same, 13) << "shape " << shape;
     }
 }
 
