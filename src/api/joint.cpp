@@ -135,7 +135,7 @@ void dJointDisable(dJointID j)
     JOINT_OR();
     if (!joint->disabled) wake_sleepers(*joint);
     joint->disabled = true;
-    joint->impulse_rows = 0;
+    forget_impulses(*joint);
 }
 
 int dJointIsEnabled(dJointID j)

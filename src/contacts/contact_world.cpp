@@ -82,6 +82,7 @@ bool ContactWorld::update(const World& world, Space& in, Real h, const Tasks& ta
 {
     settled_ = false;
     all_asleep_ = true;
+    take_step_size(h);
     edition_ = in.edition;
     disturbances_ = in.disturbances.count();
     disturbance_ = next_disturbance();
@@ -102,10 +103,18 @@ bool ContactWorld::update(const World& world, Space& in, Real h, const Tasks& ta
     return true;
 }
 
+// What the last step has left are impulses of its own size.
+void ContactWorld::take_step_size(Real h)
+{
+    if (h_ > 0 && h != h_)
+        for (const ContactPair& pair : last_.pairs) last_.scale_impulses(pair, float(h) / float(h_));
+    h_ = h;
+}
+
 bool ContactWorld::expect_all(Space& in, const SpeculativeMotion& soon, const Tasks& tasks)
 {
     expect_motion(in, soon, tasks);
-    return resting_.empty() || resting_.take_all(last_);
+    return resting_.empty() || resting_.take_all(float(h_), last_);
 }
 
 // What is active brings its pairs back from rest.
@@ -124,7 +133,7 @@ bool ContactWorld::bring(Geom& geom)
 {
     if (!(geom.watched & kRestingPairs)) return true;
     geom.watched &= std::uint8_t(~kRestingPairs);
-    return resting_.take(geom.serial, last_);
+    return resting_.take(geom.serial, float(h_), last_);
 }
 
 bool ContactWorld::bring_pairs(const Body& body, Array<Body*>& reached)
@@ -376,9 +385,9 @@ void ContactWorld::lay_to_rest()
 {
     const auto is_idle = [](const Body* body) { return !body || !is_active(*body); };
     const bool complete = resting_.put(last_, [&](const ContactPair& pair) {
-        if (!is_idle(pair.body1) || !is_idle(pair.body2)) return false;
+        if (!is_idle(pair.body1) || !is_idle(pair.body2)) return 0.0f;
         watch(pair, kRestingPairs);
-        return true;
+        return float(h_);
     });
     if (!complete) unfinished_ = true;  // so that the next update looks everywhere
 }

@@ -152,6 +152,7 @@ class ContactWorld {
     static bool save_ended(const dContactEvent& event, const SpaceGeoms& geoms, StateStream& stream);
     [[nodiscard]] bool load_pair(const World& world, StateStream& stream, std::uint32_t& used, Loaded& out);
     void put_to_rest(const Loaded& loaded, Space& in);
+    void take_step_size(Real h);
     [[nodiscard]] bool take_disturbed(const Space& in);
     [[nodiscard]] bool expect_all(Space& in, const SpeculativeMotion& soon, const Tasks& tasks);
     [[nodiscard]] bool expect_few(const World& world, Space& in, const SpeculativeMotion& soon);

@@ -45,6 +45,13 @@ struct PairList {
         return false;
     }
 
+    void scale_impulses(const ContactPair& pair, float times)
+    {
+        if (times == 1) return;
+        for (int i = pair.first; i < pair.first + pair.count; ++i)
+            epode::scale_impulses(manifolds.data()[i].manifold, times);
+    }
+
     // What is broken about one of the pairs, in words; null: nothing.
     const char* fault(const ContactPair& pair) const
     {

@@ -31,7 +31,7 @@ int place_in(Array<T>& all, int count, Array<int>& free)
 
 }  // namespace
 
-bool RestingPairs::put_one(const PairList& from, const ContactPair& pair)
+bool RestingPairs::put_one(const PairList& from, const ContactPair& pair, float step)
 {
     const std::span<const CachedManifold> kept = from.of(pair);
     Array<int>& free_blocks = free_manifolds_[kept.size()];
@@ -46,6 +46,7 @@ bool RestingPairs::put_one(const PairList& from, const ContactPair& pair)
                         (links_.size() > at || links_.resize(at + 1)) && link(at);
     if (!linked) return false;  // its places are lost, as where lists of free ones are full
     own.id1 = pair.id1;
+    links_[at].step = step;
     std::copy(kept.begin(), kept.end(), list_.manifolds.data() + own.first);
     if (pair.on_mesh) list_.leaves.data()[own.leaves] = from.leaves.data()[pair.leaves];
     ++count_;
@@ -108,10 +109,10 @@ void RestingPairs::unlink(int pair)
     }
 }
 
-bool RestingPairs::move(int pair, PairList& to)
+bool RestingPairs::move(int pair, float h, PairList& to)
 {
     ContactPair& p = list_.pairs.data()[pair];
-    if (!to.append(list_, p)) return false;
+    if (!append(pair, h, to)) return false;
     unlink(pair);
     p.id1 = nullptr;
     --count_;
@@ -121,22 +122,31 @@ bool RestingPairs::move(int pair, PairList& to)
     return true;
 }
 
-bool RestingPairs::take(std::uint64_t serial, PairList& to)
+bool RestingPairs::append(int pair, float h, PairList& to) const
+{
+    if (!to.append(list_, list_.pairs.data()[pair])) return false;
+    const float step = links_[pair].step;
+    if (h > 0 && step > 0) to.scale_impulses(to.pairs.back(), h / step);
+    return true;
+}
+
+bool RestingPairs::take(std::uint64_t serial, float h, PairList& to)
 {
     if (empty()) return true;
     while (true) {
         const Head& head = place_of(serial);
         if (!head.serial || head.first == kEnd) return true;
-        if (!move(head.first, to)) return false;
+        if (!move(head.first, h, to)) return false;
     }
 }
 
 // They need not be linked.
-bool RestingPairs::take_all(PairList& to)
+bool RestingPairs::take_all(float h, PairList& to)
 {
-    for (ContactPair& pair : list_.pairs) {
+    for (int i = 0; i < list_.pairs.size(); ++i) {
+        ContactPair& pair = list_.pairs.data()[i];
         if (!is_there(pair)) continue;
-        if (!to.append(list_, pair)) return false;
+        if (!append(i, h, to)) return false;
         pair.id1 = nullptr;
         --count_;
     }

@@ -15,13 +15,17 @@ class RestingPairs {
   public:
     bool empty() const { return count_ == 0; }
 
-    // Those pairs of the list for which rests(pair), without their bodies' addresses: bodies may go
-    // meanwhile. False: out of memory; each pair is in one of the two lists.
-    template <typename Rests>
-    [[nodiscard]] bool put(PairList& from, Rests&& rests);
-    // Moves all pairs of the geom to the end of `to`. False: out of memory; some may have been moved.
-    [[nodiscard]] bool take(std::uint64_t serial, PairList& to);
-    [[nodiscard]] bool take_all(PairList& to);
+    // Those pairs of the list for which step_of(pair) is positive, the size of the step that their impulses are
+    // of; without their bodies' addresses: bodies may go meanwhile. False: out of memory; each pair is in one of
+    // the two lists.
+    template <typename StepOf>
+    [[nodiscard]] bool put(PairList& from, StepOf&& step_of);
+    // Moves all pairs of the geom to the end of `to`, with the impulses that their forces have in a step of size
+    // h. False: out of memory; some may have been moved.
+    [[nodiscard]] bool take(std::uint64_t serial, float h, PairList& to);
+    [[nodiscard]] bool take_all(float h, PairList& to);
+    // Of a pair that for_each() has visited.
+    float step_of(const ContactPair& pair) const { return links_[int(&pair - list_.pairs.data())].step; }
     void clear();
 
     // What is broken, in words; null: nothing.
@@ -40,6 +44,7 @@ class RestingPairs {
 
     struct Link {
         int next[2], previous[2];  // in the lists of the pair's geoms
+        float step;                // size of the step that its impulses are of
     };
     struct Head {
         std::uint64_t serial;  // 0: free
@@ -47,7 +52,8 @@ class RestingPairs {
     };
 
     static bool is_there(const ContactPair& pair) { return pair.id1 != nullptr; }
-    [[nodiscard]] bool put_one(const PairList& from, const ContactPair& pair);
+    [[nodiscard]] bool put_one(const PairList& from, const ContactPair& pair, float step);
+    [[nodiscard]] bool append(int pair, float h, PairList& to) const;
     [[nodiscard]] bool reserve_heads();
     Head& place_of(std::uint64_t serial);  // its head, or where that would be
     int side_of(int pair, std::uint64_t serial) const
@@ -61,7 +67,8 @@ class RestingPairs {
     }
     [[nodiscard]] bool link(int pair);
     void unlink(int pair);
-    [[nodiscard]] bool move(int pair, PairList& to);
+    // With impulses for a step of size h; 0: as they are.
+    [[nodiscard]] bool move(int pair, float h, PairList& to);
 
     PairList list_;
     Array<Link> links_;   // of each pair
@@ -74,25 +81,30 @@ class RestingPairs {
 };
 
 // Where nothing rests yet the whole list moves in, and the others back: mostly a world falls asleep at once.
-template <typename Rests>
-bool RestingPairs::put(PairList& from, Rests&& rests)
+template <typename StepOf>
+bool RestingPairs::put(PairList& from, StepOf&& step_of)
 {
     if (empty()) {
         clear();
         if (!links_.resize(from.pairs.size())) return false;
         list_.swap(from);
         count_ = list_.pairs.size();
-        for (int i = 0; i < list_.pairs.size(); ++i)
+        for (int i = 0; i < list_.pairs.size(); ++i) {
+            links_[i].step = 0;
             if (!link(i)) return false;
-        for (int i = 0; i < list_.pairs.size(); ++i)
-            if (!rests(list_.pairs.data()[i]) && !move(i, from)) return false;
+        }
+        for (int i = 0; i < list_.pairs.size(); ++i) {
+            links_[i].step = step_of(list_.pairs.data()[i]);
+            if (!(links_[i].step > 0) && !move(i, 0, from)) return false;
+        }
         return true;
     }
     int left = 0;
     bool complete = true;
     for (const ContactPair& pair : from.pairs) {
-        const bool moves = complete && rests(pair);
-        complete = complete && (!moves || put_one(from, pair));
+        const float step = complete ? step_of(pair) : 0;
+        const bool moves = step > 0;
+        complete = complete && (!moves || put_one(from, pair, step));
         if (!moves || !complete) from.pairs.data()[left++] = pair;
     }
     from.pairs.truncate(left);

@@ -22,7 +22,7 @@ void empty_places_of(const Joint& member, CouplingJoint& coupling)
         if (place.joint == &member) {
             place = {};
             coupling.disabled = true;
-            coupling.impulse_rows = 0;
+            forget_impulses(coupling);
         }
 }
 

@@ -5,9 +5,11 @@
 // world does not connect; kinematic bodies do, as in ODE. Sleeping ones that they reach belong to them.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "base/arena.h"
+#include "dynamics/joint.h"
 #include "dynamics/world.h"
 #include "rows/contact_manifold.h"
 
@@ -32,6 +34,12 @@ struct Island {
 
     bool settles() const { return kept_depth > 0; }
 };
+
+inline bool has_lasting_joints(const Island& island)
+{
+    return std::any_of(island.joints.begin(), island.joints.end(),
+                       [](const Joint* joint) { return !is_contact(*joint); });
+}
 
 // Of a step of size h.
 struct Islands {

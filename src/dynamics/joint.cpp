@@ -80,7 +80,7 @@ void detach(Joint& joint)
     if (!contact) wake_sleepers(joint);
     leave(joint.node[0], contact);
     leave(joint.node[1], contact);
-    joint.impulse_rows = 0;
+    forget_impulses(joint);
 }
 
 void attach(Joint& joint, Body* a, Body* b)

@@ -95,6 +95,7 @@ struct Joint : Tagged {
     bool coupled : 1 = false;  // has been a member of a coupling (dynamics/coupling.h)
     bool plain : 1 =
         false;  // a contact that is a normal with two tangents or with none (rows/joint_manifold.h)
+    bool begun : 1 = false;         // has been in a hybrid step since it was attached or enabled
     std::uint8_t impulse_rows = 0;  // of a LastingJoint
     std::uint16_t mode = 0;         // of a contact's surface
     const JointType* type;
@@ -115,7 +116,12 @@ struct Joint : Tagged {
 struct LastingJoint : Joint {
     using Joint::Joint;
     ~LastingJoint();
-    Real impulse[kMaxBlockRows];    // of the last step, for warm starting: the first `impulse_rows`
+    // For warm starting (step/island/problem/joint_memory.h).
+    Real impulse[kMaxBlockRows];  // of the last solution: the first `impulse_rows`
+    Real impulse_step = 0;        // how long they have acted, s; 0: as long as the coming step
+    Real mean[kMaxBlockRows];     // force: the first `mean_rows`
+    Real mean_time = 0;           // s that it is the mean of
+    std::uint8_t mean_rows = 0;
     JointDrives* drives = nullptr;  // of a joint that is `driven`
     unsigned attachments = 0;       // how often its type has taken anchors from new bodies
 };
@@ -142,6 +148,12 @@ inline bool acting(const Joint& j)
 }
 
 inline bool is_contact(const Joint& joint) { return joint.type->number == dJointTypeContact; }
+
+inline LastingJoint& lasting(Joint& joint) { return static_cast<LastingJoint&>(joint); }
+inline const LastingJoint& lasting(const Joint& joint) { return static_cast<const LastingJoint&>(joint); }
+
+// It begins again, as one that has never been in a step.
+inline void forget_impulses(Joint& joint) { joint.impulse_rows = 0, joint.begun = false; }
 
 // Of a joint that is no contact.
 inline Real* impulses(Joint& joint) { return static_cast<LastingJoint&>(joint).impulse; }

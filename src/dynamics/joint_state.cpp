@@ -9,8 +9,9 @@
 namespace epode {
 namespace {
 
-constexpr unsigned kRows = 15, kJointDisabled = 16, kJointActive = 32;
+constexpr unsigned kRows = 15, kJointDisabled = 16, kJointActive = 32, kJointBegun = 64;
 static_assert(kMaxBlockRows <= int(kRows));
+constexpr int kWithMeans = 6;  // the format from which on joints have mean forces
 
 constexpr std::uint32_t kAxisDriven = 1;          // of an axis
 constexpr std::uint32_t kContinuous = 2;          // of states of format 5 or less, with the position
@@ -86,10 +87,30 @@ void state_of_drives(Joint& joint, StateStream& stream)
 
 }  // namespace
 
+namespace {
+
+// Earlier formats know the impulses only.
+void memory(LastingJoint& joint, int rows, StateStream& stream)
+{
+    stream.guesses(joint.impulse, rows);
+    if (stream.format() < kWithMeans) {
+        if (stream.stores()) joint.mean_rows = 0, joint.mean_time = joint.impulse_step = 0;
+        return;
+    }
+    const std::uint32_t mean_rows =
+        stream.index(joint.mean_rows, kMaxBlockRows + 1, "a joint with too many rows");
+    if (stream.stores()) joint.mean_rows = std::uint8_t(mean_rows);
+    stream.guesses(joint.mean, int(mean_rows));
+    stream.reals(&joint.impulse_step, 1), stream.reals(&joint.mean_time, 1);
+}
+
+}  // namespace
+
 std::uint8_t state_bits(const Joint& joint)
 {
     return std::uint8_t(joint.impulse_rows | (joint.disabled ? kJointDisabled : 0u) |
-                        (joint.world->joints.is_active(joint) ? kJointActive : 0u));
+                        (joint.world->joints.is_active(joint) ? kJointActive : 0u) |
+                        (joint.begun ? kJointBegun : 0u));
 }
 
 void state(Joint& joint, std::uint8_t bits, StateStream& stream)
@@ -99,10 +120,11 @@ void state(Joint& joint, std::uint8_t bits, StateStream& stream)
     if (stream.stores()) {
         joint.impulse_rows = std::uint8_t(rows);
         joint.disabled = bits & kJointDisabled;
+        joint.begun = stream.format() < kWithMeans ? rows > 0 : (bits & kJointBegun) != 0;
         auto& joints = joint.world->joints;
         bits& kJointActive ? joints.activate(joint) : joints.deactivate(joint);
     }
-    if (rows > 0) stream.guesses(impulses(joint), rows);
+    if (rows > 0) memory(lasting(joint), rows, stream);
     if (joint.type->state) joint.type->state(joint, stream);
     if (joint.driven) state_of_drives(joint, stream);
 }

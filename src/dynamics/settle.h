@@ -6,7 +6,9 @@
 // missing. An island whose bodies may all fall asleep, and nine in ten of which hardly move, is therefore
 // settled:
 //
-//  - it is solved with more sweeps or substeps, for a second or two; asleep, it costs nothing;
+//  - it is solved with more sweeps or substeps, for a second or two; asleep, it costs nothing. Its joints are
+//    solved exactly instead where they are not too many: what they leave open and how stiff they are depends on
+//    the number of substeps, and a structure that alternates between two numbers shakes itself to pieces;
 //  - its contact joints may keep some depth: without any they would open, and bodies would fall;
 //  - its stragglers, such as a rock that rocks between others, are braked as by rolling resistance.
 //

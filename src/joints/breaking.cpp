@@ -29,7 +29,7 @@ void break_joints(World& world, Real h)
         if (held) return forget_load(joint);
         limits.broken = true, limits.step = world.step_count;
         joint.disabled = true;
-        joint.impulse_rows = 0;
+        forget_impulses(joint);
     });
 }
 

@@ -58,4 +58,12 @@ inline void clear_impulses(ContactManifold& manifold)
     for (ManifoldPoint& point : manifold.points) point.normal_impulse = 0, point.friction_impulse = {};
 }
 
+// Of steps of different size the forces are the same, not the impulses.
+inline void scale_impulses(ContactManifold& manifold, float times)
+{
+    const auto scale = [times](Float3& a) { a = {times * a.x, times * a.y, times * a.z}; };
+    scale(manifold.rolling_impulse);
+    for (ManifoldPoint& point : manifold.points) point.normal_impulse *= times, scale(point.friction_impulse);
+}
+
 }  // namespace epode

@@ -18,6 +18,8 @@ class SymbolicCache;
 
 struct SolverSettings {
     int iterations = 20;
+    // The same where joints that were to be one block are swept after all (solve/substeps/tgs.cpp).
+    int swept_iterations = 20;
     Real w = Real(1.3);      // over-relaxation
     std::uint64_t seed = 0;  // a function of world, step and island: for shuffles
     const Substeps* substeps = nullptr;

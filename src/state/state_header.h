@@ -9,7 +9,8 @@
 //            checksum
 //   4 -> 5   manifolds that were struck (contacts/state/contact_format.h)
 //   5 -> 6   turns of angles with the stops (joints/limit_motor.cpp), no longer with the drives; manifolds at
-//            borders (contacts/state/contact_format.h)
+//            borders (contacts/state/contact_format.h); mean forces of joints, and the step sizes that impulses
+//            belong to (dynamics/joint_state.cpp, step/common/contact_cache_state.cpp, contact_format.h)
 #pragma once
 
 #include <cstddef>

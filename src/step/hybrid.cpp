@@ -181,8 +181,8 @@ const Solver& choose_solver(const World& world, const Island& island, Real h)
 
 const Solver& relieved(const Solver& solver, const Island& island)
 {
-    const bool has_joints = int(island.joints.size()) > island.plain_contacts;
-    if (&solver != &kTgs || !has_joints) return solver;
+    if (&solver != &kTgs || !has_lasting_joints(island)) return solver;
+    if (island.settles()) return kNetwork;
     const auto strained = [](const Body* body) { return body->hybrid.strained > 0; };
     return std::any_of(island.bodies.begin(), island.bodies.end(), strained) ? kNetwork : solver;
 }

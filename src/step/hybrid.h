@@ -35,7 +35,7 @@ int hybrid_iterations(const World& world, const Solver& solver);
 const Solver& choose_solver(const World& world, const Island& island, Real h);
 
 // The solver, but exact joints in place of the sweeps of substeps that a step of the last kStrainedSteps has
-// strained (step/island/strain.h).
+// strained (step/island/strain.h), and in islands that settle (dynamics/settle.h).
 const Solver& relieved(const Solver& solver, const Island& island);
 
 // What an island's step tells the next ones.

@@ -464,7 +464,7 @@ bool step_in(World& world, StepState& state, StepMemory& memory, const Solver* s
     WorldStep step(context, !solver, state, memory, workers);
     const bool made = step.prepare() && step.run() && step.stop_at_impacts();
     if (made) {
-        state.contacts.end();
+        state.contacts.end(h);
         step.accept_contacts();
         break_joints(world, h);
         step.remember_choices();

@@ -34,7 +34,8 @@ enum PairBit : std::uint32_t {
     kTouched = 8,
     kRests = 16,
     kSeparatingAxis = 32,
-    kStruck = 64,  // one of its manifolds is, or is at a border: a word with two bits for each follows
+    kStruck = 64,      // one of its manifolds is, or is at a border: a word with two bits for each follows
+    kOtherStep = 128,  // it rests since a step of another size than the last: that size follows
 };
 // In that word: bit i of manifold i if it is struck, bit kSurfaceManifolds + i if it is at a border.
 // Of a manifold.
@@ -60,7 +61,7 @@ inline constexpr int kNarrowGeoms = 1 << 16;  // up to so many, the numbers of t
 // Bytes of a pair with its manifolds, at most.
 inline constexpr std::size_t kMaxManifoldBytes = sizeof(float) * (15 + 3 + 1 + 12 * kManifoldPoints);
 inline constexpr std::size_t kMaxPairBytes =
-    5 * sizeof(std::uint32_t) + kSurfaceManifolds * kMaxManifoldBytes;
+    6 * sizeof(std::uint32_t) + kSurfaceManifolds * kMaxManifoldBytes;
 
 // Writes the numbers of a manifold and returns its bits; kChanged is the caller's. `layer`: the usual one.
 std::uint32_t write_manifold(const CachedManifold& kept, float layer, std::byte*& to);

@@ -9,6 +9,7 @@
 //   leaves of meshes     a list of what the tree would answer
 // What rests lies apart afterwards as before, and what has been disturbed since the last step is so again.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -158,10 +159,13 @@ void ContactWorld::save_pair(const Listed& listed, float layer, const SpaceGeoms
         struck |= std::uint32_t(manifold.at_border) << (kSurfaceManifolds + i);
     }
     if (struck) word(struck);
+    const float step = listed.rests ? resting_.step_of(pair) : 0;
+    const bool other_step = listed.rests && step != float(h_);
+    if (other_step) word(std::bit_cast<std::uint32_t>(step));
     const std::uint32_t changes = described_.data()[n1].changes + described_.data()[n2].changes;
     std::uint32_t bits = pair.count | (pair.wanted ? kWanted : 0u) | (pair.touched ? kTouched : 0u) |
                          (listed.rests ? kRests : 0u) | (separated ? kSeparatingAxis : 0u) |
-                         (struck ? kStruck : 0u);
+                         (struck ? kStruck : 0u) | (other_step ? kOtherStep : 0u);
     for (int i = 0; i < pair.count; ++i) {
         const CachedManifold& kept = listed.manifolds[i];
         std::uint32_t own = write_manifold(kept, layer, to);
@@ -244,6 +248,11 @@ bool ContactWorld::load_pair(const World& world, StateStream& stream, std::uint3
         return true;
     if (bits & kSeparatingAxis) pair.separating_axis = stream.word(0);
     const std::uint32_t struck = bits & kStruck ? stream.word(0) : 0;
+    auto step = float(out.h);
+    if (stream.format() >= 6 && bits & kOtherStep) stream.floats(&step, 1);
+    if (!stream.demand(step >= 0 && step < float(kInf),
+                       "a contact at rest since a step of an impossible size"))
+        return true;
     if ((pair.on_mesh = (a.is_mesh && b.is_solid) || (b.is_mesh && a.is_solid))) {
         pair.leaves = list.leaves.size();
         if (!list.leaves.push(NearLeaves{})) return false;
@@ -256,7 +265,7 @@ bool ContactWorld::load_pair(const World& world, StateStream& stream, std::uint3
         kept.manifold.at_border = struck >> (kSurfaceManifolds + i) & 1;
     }
     out.any_rests = out.any_rests || bits & kRests;
-    (void)list.pairs.push(pair), (void)out.rests.push(bits & kRests ? 1 : 0);
+    (void)list.pairs.push(pair), (void)out.rests.push(bits & kRests ? step : 0);
     return true;
 }
 
@@ -307,9 +316,9 @@ void ContactWorld::put_to_rest(const Loaded& loaded, Space& in)
     in.keeper = this;
     int next = 0;
     const bool complete = resting_.put(last_, [&](const ContactPair& pair) {
-        if (!loaded.rests[next++]) return false;
-        watch(pair, kRestingPairs);
-        return true;
+        const float step = loaded.rests[next++];
+        if (step > 0) watch(pair, kRestingPairs);
+        return step;
     });
     if (!complete) unfinished_ = true;
 }

@@ -16,7 +16,7 @@ class ContactWorld::Loaded {
         h = 0;
         few_active = unfinished = settled = any_rests = false;
     }
-    Array<std::uint8_t> rests;  // of each pair
+    Array<float> rests;  // of each pair: the size of the step since which it rests; 0: it does not
     Array<dContactEvent> ended;
     Real h = 0;
     bool few_active = false, unfinished = false, settled = false, any_rests = false;

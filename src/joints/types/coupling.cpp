@@ -190,7 +190,7 @@ int dJointSetCouplingAxis(dJointID id, int i, dJointID joint_id, int axis, dReal
         joint->coupled = true;
     }
     *place = joint_id ? CoupledAxis{joint, axis, factor} : CoupledAxis{};
-    coupling.impulse_rows = 0;
+    forget_impulses(coupling);
     ++coupling.world->connections_version;
     ++coupling.attachments;  // its own part has changed
     note_structure_changed();

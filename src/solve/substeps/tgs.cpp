@@ -312,7 +312,11 @@ bool solve_network(RowSystem& system, const SolverSettings& settings, Arena& are
     Arena::Scope scope(arena);
     JointNetwork joints;
     if (!joints.analyse(system, settings.symbolic_cache, arena)) return false;
-    if (!joints.worth()) return solve_tgs(system, settings, arena, report);
+    if (!joints.worth()) {
+        SolverSettings swept = settings;
+        swept.iterations = settings.swept_iterations;
+        return solve_tgs(system, swept, arena, report);
+    }
     report.method = dIslandMethodSubstepsExactJoints;
     solved = run(system, settings, n, joints, arena, report);
     report.factorisations = joints.factorisations();

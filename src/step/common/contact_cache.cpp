@@ -25,7 +25,7 @@ void ContactCache::Store::swap(Store& other)
     pairs.swap(other.pairs);
     points.swap(other.points);
     runs.swap(other.runs);
-    std::swap(step, other.step);
+    std::swap(step, other.step), std::swap(h, other.h);
 }
 
 bool ContactCache::fits(const Pair& pair, const Wanted& wanted) const
@@ -41,13 +41,13 @@ bool ContactCache::is_guess(int guess, const Wanted& wanted) const
     return pair.step == old_.step && !pair.twin && fits(pair, wanted);
 }
 
-void ContactCache::look_into(int index, const Wanted& wanted, Found& best)
+void ContactCache::look_into(int index, const Wanted& wanted, std::uint8_t attempt, Found& best)
 {
     const Pair& pair = old_.pairs[index];
     for (int k = pair.first; k < pair.first + pair.count; ++k) {
         Point& point = old_.points[k];
         const Real distance2 = length2(widen(point.place) - wanted.place);
-        if (!point.used && distance2 <= best.distance2) best = {&point, index, distance2};
+        if (point.used < attempt && distance2 <= best.distance2) best = {&point, index, distance2};
     }
 }
 
@@ -73,12 +73,12 @@ struct ContactCache::Places {
     }
 };
 
-ContactCache::Places ContactCache::places_of(const Pair& pair) const
+ContactCache::Places ContactCache::places_of(const Pair& pair, std::uint8_t attempt) const
 {
     static_assert(kManifoldPoints == 4);
     const Point* at = old_.points.data() + pair.first;
     unsigned free = 0;
-    for (int k = 0; k < pair.count; ++k) free |= unsigned(!at[k].used) << k;
+    for (int k = 0; k < pair.count; ++k) free |= unsigned(at[k].used < attempt) << k;
     return {quad_of(pair.count, [&](int k) { return Real(at[k].place.x); }),
             quad_of(pair.count, [&](int k) { return Real(at[k].place.y); }),
             quad_of(pair.count, [&](int k) { return Real(at[k].place.z); }), free};
@@ -100,12 +100,12 @@ ContactCache::ContactArms ContactCache::arms_of(const Body& body1, std::span<con
     return arms;
 }
 
-ContactCache::Found ContactCache::find(const Wanted& wanted, Real within2)
+ContactCache::Found ContactCache::find(const Wanted& wanted, Real within2, std::uint8_t attempt)
 {
     Found best{nullptr, -1, within2};
     const std::size_t hash = hash_of(wanted.serial1, wanted.serial2);
     for (int i = buckets_[int(hash & std::size_t(buckets_.size() - 1))]; i >= 0; i = old_.pairs[i].next)
-        if (fits(old_.pairs[i], wanted)) look_into(i, wanted, best);
+        if (fits(old_.pairs[i], wanted)) look_into(i, wanted, attempt, best);
     return best;
 }
 
@@ -129,12 +129,13 @@ void ContactCache::note_points(int ticket, int count, const ContactArms& arms)
     for (int i = 0; i < count; ++i) {
         Point& fresh = fresh_.points.data()[ticket + i];
         fresh.place = narrow(arms.place(i)), fresh.friction = {0, 0, 0};
-        fresh.normal_impulse = 0, fresh.used = false;
+        fresh.normal_impulse = 0, fresh.used = 0;
     }
 }
 
 void ContactCache::load(int writer, int ticket, const Body& body1, const Body* body2,
-                        const JointManifold& manifold, std::span<JointManifoldPoint> points, Real share)
+                        const JointManifold& manifold, std::span<JointManifoldPoint> points, Real share,
+                        Real h)
 {
     Run& run = fresh_.runs[writer];
     if (run.count == 0) run.first = ticket, run.guess = -1;
@@ -144,9 +145,10 @@ void ContactCache::load(int writer, int ticket, const Body& body1, const Body* b
     const ContactArms arms = arms_of(body1, points);
     note_points(ticket, int(points.size()), arms);
     if (!(share > 0) || buckets_.empty()) return;
+    if (old_.h > 0) share *= h / old_.h;  // forces persist, not impulses
     const int guess = is_guess(run.guess, wanted) ? run.guess : -1;
     Places places{};
-    if (guess >= 0) places = places_of(old_.pairs[guess]);
+    if (guess >= 0) places = places_of(old_.pairs[guess], run.attempt);
     for (int i = 0; i < int(points.size()); ++i) {
         const int nearest = places.nearest(arms, i);
         Found old{nullptr, guess, arms.within2[i]};
@@ -155,10 +157,10 @@ void ContactCache::load(int writer, int ticket, const Body& body1, const Body* b
             places.free &= ~(1u << nearest);
         } else {
             wanted.place = arms.place(i);
-            old = find(wanted, arms.within2[i]);
+            old = find(wanted, arms.within2[i], run.attempt);
         }
         if (!old.point) continue;
-        old.point->used = true;
+        old.point->used = run.attempt;
         run.guess = old.pair + 1;
         JointManifoldPoint& point = points[std::size_t(i)];
         point.p[0] = share * Real(old.point->normal_impulse);
@@ -167,13 +169,19 @@ void ContactCache::load(int writer, int ticket, const Body& body1, const Body* b
     }
 }
 
+void ContactCache::begin_again(int writer)
+{
+    Run& run = fresh_.runs[writer];
+    run.count = 0, ++run.attempt;
+}
+
 void ContactCache::remember(int ticket, const JointManifold& manifold,
-                            std::span<const JointManifoldPoint> points)
+                            std::span<const JointManifoldPoint> points, Real times)
 {
     for (const JointManifoldPoint& point : points) {
         Point& fresh = fresh_.points[ticket++];
-        fresh.normal_impulse = float(point.p[0]);
-        fresh.friction = narrow(point.p[1] * manifold.t1 + point.p[2] * manifold.t2);
+        fresh.normal_impulse = float(times * point.p[0]);
+        fresh.friction = narrow(times * (point.p[1] * manifold.t1 + point.p[2] * manifold.t2));
     }
 }
 
@@ -182,6 +190,13 @@ int ContactCache::buckets_for(int pairs)
     int wanted = 16;
     while (wanted < 2 * pairs) wanted *= 2;
     return wanted;
+}
+
+bool ContactCache::begin_runs(int writers)
+{
+    if (!fresh_.runs.resize(writers)) return false;
+    for (Run& run : fresh_.runs) run = {0, 0, -1, 1};
+    return true;
 }
 
 bool ContactCache::begin(int tickets, int writers)
@@ -199,12 +214,13 @@ bool ContactCache::begin(int tickets, int writers)
     return fresh_.pairs.reserve(points) && fresh_.points.reserve(points) && fresh_.runs.reserve(runs) &&
            buckets_.reserve(buckets_for(points)) &&
            fresh_.pairs.resize(std::max(tickets, fresh_.pairs.size())) &&
-           fresh_.points.resize(std::max(tickets, fresh_.points.size())) && fresh_.runs.resize(writers);
+           fresh_.points.resize(std::max(tickets, fresh_.points.size())) && begin_runs(writers);
 }
 
-void ContactCache::end()
+void ContactCache::end(Real h)
 {
     old_.swap(fresh_);
+    old_.h = h;
     int pairs = 0;
     for (const Run& run : old_.runs) pairs += run.count;
     if (const int wanted = buckets_for(pairs); buckets_.size() < wanted)
@@ -231,7 +247,7 @@ void ContactCache::take_back()
     for (const Run& run : old_.runs)
         for (int i = run.first; i < run.first + run.count; ++i)
             for (int k = old_.pairs[i].first; k < old_.pairs[i].first + old_.pairs[i].count; ++k)
-                old_.points[k].used = false;
+                old_.points[k].used = 0;
 }
 
 const char* ContactCache::fault() const

@@ -25,13 +25,19 @@ class ContactCache {
     // step may need is reserved now: end() cannot fail.
     [[nodiscard]] bool begin(int tickets, int writers);
     // Notes a manifold under the tickets ticket, ticket + 1 ... of its points, and writes `share` of what is
-    // remembered of them into the points. The tickets of one writer follow each other.
+    // remembered of them into the points, as it is in a step of size h. The tickets of one writer follow each
+    // other.
     void load(int writer, int ticket, const Body& body1, const Body* body2, const JointManifold& manifold,
-              std::span<JointManifoldPoint> points, Real share);
-    // The answer for a manifold that has been loaded under these tickets; without one it is zero.
-    void remember(int ticket, const JointManifold& manifold, std::span<const JointManifoldPoint> points);
+              std::span<JointManifoldPoint> points, Real share, Real h);
+    // The writer begins again: what it has loaded it may load once more.
+    void begin_again(int writer);
+    // The answer for a manifold that has been loaded under these tickets; without one it is zero. Its impulses,
+    // `times` as large, are those of the whole step.
+    void remember(int ticket, const JointManifold& manifold, std::span<const JointManifoldPoint> points,
+                  Real times);
     // The step is over: what it noted is what the next one loads from.
-    void end();
+    // `h`: its length.
+    void end(Real h);
     // There was no step: the next one finds what this one has found.
     void take_back();
 
@@ -59,18 +65,20 @@ class ContactCache {
         Float3 place;     // lever arm from body 1, in its frame
         Float3 friction;  // world impulse
         float normal_impulse;
-        bool used;
+        std::uint8_t used;  // by so many attempts of its writer
     };
     // What one writer has noted.
     struct Run {
         int first, count;  // of the pairs
         int guess;         // the old pair behind the one in which the last point was found, or -1
+        std::uint8_t attempt;
     };
     struct Store {
         Array<Pair> pairs;  // under the ticket of the first point, where a run says so
         Array<Point> points;
         Array<Run> runs;
         unsigned step = 0;
+        Real h = 0;  // s, that the impulses have acted; 0: as long as the coming step
         void swap(Store& other);
     };
     static_assert(sizeof(Point) == 32);
@@ -95,10 +103,11 @@ class ContactCache {
     void note(Run& run, const Wanted& wanted, int ticket, int points);
     bool is_guess(int guess, const Wanted& wanted) const;
     bool fits(const Pair& pair, const Wanted& wanted) const;
-    Places places_of(const Pair& pair) const;
+    Places places_of(const Pair& pair, std::uint8_t attempt) const;
     void note_points(int ticket, int count, const ContactArms& arms);
-    void look_into(int pair, const Wanted& wanted, Found& best);
-    Found find(const Wanted& wanted, Real within2);
+    void look_into(int pair, const Wanted& wanted, std::uint8_t attempt, Found& best);
+    Found find(const Wanted& wanted, Real within2, std::uint8_t attempt);
+    [[nodiscard]] bool begin_runs(int writers);
     static int buckets_for(int pairs);
     void fill_buckets();
 

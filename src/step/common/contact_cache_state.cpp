@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint32_t kCount = 7, kTwin = 8, kBeginsRun = 16;
 constexpr std::uint32_t kNobody = ~0u;
+constexpr int kWithSteps = 6;  // the format from which on the size of the step is known
 
 }  // namespace
 
@@ -32,6 +33,8 @@ void ContactCache::save(const BodyTable& bodies, StateStream& stream) const
     std::uint32_t pairs = 0, points = 0;
     for_each([&](const Pair& pair, bool) { ++pairs, points += std::uint32_t(pair.count); });
     (void)stream.word(pairs), (void)stream.word(points);
+    Real h = old_.h;
+    stream.reals(&h, 1);
     for_each([&](Pair pair, bool begins) {
         (void)stream.word(std::uint32_t(bodies.find(pair.serial1)));
         (void)stream.word(pair.serial2 ? std::uint32_t(bodies.find(pair.serial2)) : kNobody);
@@ -56,6 +59,8 @@ bool ContactCache::load(const BodyTable& bodies, StateStream& stream, Loaded& ou
     Store& store = out.store;
     store.pairs.clear(), store.points.clear(), store.runs.clear();
     store.step = 1;
+    store.h = 0;
+    if (stream.format() >= kWithSteps) stream.reals(&store.h, 1);
     if (!store.pairs.reserve(2 * int(pairs)) || !store.points.resize(int(points)) ||
         !store.runs.reserve(int(pairs)) || !out.buckets.resize(buckets_for(int(pairs))))
         return false;
@@ -71,7 +76,7 @@ bool ContactCache::load(const BodyTable& bodies, StateStream& stream, Loaded& ou
             break;
         if (bits & kBeginsRun) {
             (void)store.pairs.push(Pair{});
-            (void)store.runs.push({store.pairs.size(), 0, -1});
+            (void)store.runs.push({store.pairs.size(), 0, -1, 1});
         }
         ++store.runs.back().count;
         Pair pair{bodies[int(body1)].serial,

@@ -26,6 +26,25 @@ std::span<T> joined(std::span<T> first, std::span<T> last)
     return {first.data(), last.data() + last.size()};
 }
 
+int numbers_of(const LastingJoint& joint) { return joint.impulse_rows + joint.mean_rows + 2; }
+
+Real* take_memory(const LastingJoint& joint, Real* to)
+{
+    to = std::copy_n(joint.impulse, joint.impulse_rows, to);
+    to = std::copy_n(joint.mean, joint.mean_rows, to);
+    *to++ = joint.impulse_step, *to++ = joint.mean_time;
+    return to;
+}
+
+// Its numbers of rows have been restored.
+const Real* restore_memory(const Real* from, LastingJoint& joint)
+{
+    std::copy_n(from, joint.impulse_rows, joint.impulse), from += joint.impulse_rows;
+    std::copy_n(from, joint.mean_rows, joint.mean), from += joint.mean_rows;
+    joint.impulse_step = *from++, joint.mean_time = *from++;
+    return from;
+}
+
 }  // namespace
 
 bool StepUndo::save_idleness(Arena& arena)
@@ -125,8 +144,8 @@ bool StepUndo::save_impulses(std::span<const Island> islands, Arena& arena)
         if (!island.impulses) continue;
         for_each_prefetched<1>(std::span<Joint* const>(island.joints), [&](std::size_t, Joint& joint) {
             if (joint.impulse_rows == 0) return;
-            remembering[count++] = {&joint, joint.impulse_rows};
-            rows += joint.impulse_rows;
+            remembering[count++] = {&joint, joint.impulse_rows, lasting(joint).mean_rows};
+            rows += numbers_of(lasting(joint));
         });
     }
     impulses_ = arena.take<Real>(rows);
@@ -137,14 +156,17 @@ bool StepUndo::save_impulses(std::span<const Island> islands, Arena& arena)
     constexpr std::size_t kAhead = 12;
     for (std::size_t i = 0; i < remembering_.size(); ++i) {
         if (i + kAhead < remembering_.size()) prefetch<1>(impulses(*remembering_[i + kAhead].joint));
-        to = std::copy_n(impulses(*remembering_[i].joint), remembering_[i].rows, to);
+        to = take_memory(lasting(*remembering_[i].joint), to);
     }
     return true;
 }
 
 void StepUndo::restore() const
 {
-    restore_bodies();
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        bodies_[i]->disabled = marks_[i].slept;
+        if (marks_[i].saved) restore_body(i);
+    }
     restore_impulses();
     restore_idleness(idleness_);
     for (int i = wakings_; i-- > 0;) restore_idleness(woken_[i]);
@@ -164,19 +186,21 @@ void StepUndo::restore_idleness(std::span<const Idleness> all)
     }
 }
 
-void StepUndo::restore_bodies() const
+void StepUndo::restore_body(std::size_t i) const
 {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        Body& body = *bodies_[i];
-        body.disabled = marks_[i].slept;
-        if (!marks_[i].saved) continue;
-        body.had_manifolds = marks_[i].had_manifolds;
-        const Saved& saved = saved_[i];
-        restore_pose(body, saved);
-        store(body.lvel, saved.velocity), store(body.avel, saved.angular_velocity);
-        store(body.facc, saved.force), store(body.tacc, saved.torque);
-        body.spin_excess = saved.spin_excess;
-    }
+    Body& body = *bodies_[i];
+    body.had_manifolds = marks_[i].had_manifolds;
+    const Saved& saved = saved_[i];
+    restore_pose(body, saved);
+    store(body.lvel, saved.velocity), store(body.avel, saved.angular_velocity);
+    store(body.facc, saved.force), store(body.tacc, saved.torque);
+    body.spin_excess = saved.spin_excess;
+}
+
+void StepUndo::restore_bodies(std::span<Body* const> piece) const
+{
+    const std::size_t first = first_of(piece);
+    for (std::size_t i = 0; i < piece.size(); ++i) restore_body(first + i);
 }
 
 void StepUndo::restore_poses(std::span<Body* const> piece) const
@@ -201,8 +225,8 @@ void StepUndo::restore_impulses() const
     const Real* from = impulses_.data();
     for (const Remembering& r : remembering_) {
         r.joint->impulse_rows = r.rows;
-        std::copy_n(from, r.rows, impulses(*r.joint));
-        from += r.rows;
+        lasting(*r.joint).mean_rows = r.mean_rows;
+        from = restore_memory(from, lasting(*r.joint));
     }
 }
 

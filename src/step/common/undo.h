@@ -27,6 +27,8 @@ class StepUndo {
     void save(std::size_t i);
     // All that has been saved.
     void restore() const;
+    // Poses, velocities and forces of a piece of bodies(), as they were when the step began.
+    void restore_bodies(std::span<Body* const> piece) const;
     // Poses of a piece of bodies(): where they were when the step began.
     void restore_poses(std::span<Body* const> piece) const;
 
@@ -63,13 +65,13 @@ class StepUndo {
     };
     struct Remembering {
         Joint* joint;
-        std::uint8_t rows;  // with impulses of the last step
+        std::uint8_t rows, mean_rows;
     };
 
     [[nodiscard]] bool save_sleepers(std::span<Body* const> sleepers, Arena& arena);
     [[nodiscard]] bool wake_reached(int count, Arena& arena);
     [[nodiscard]] bool save_impulses(std::span<const Island> islands, Arena& arena);
-    void restore_bodies() const;
+    void restore_body(std::size_t i) const;
     static void restore_pose(Body& body, const Saved& saved);
     void restore_impulses() const;
 

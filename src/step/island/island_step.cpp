@@ -15,6 +15,7 @@
 #include "step/island/positions/shake.h"
 #include "step/island/positions/tension.h"
 #include "step/island/problem/assemble.h"
+#include "step/island/problem/joint_memory.h"
 #include "step/island/problem/manifold_rows.h"
 #include "step/island/report.h"
 #include "step/island/strain.h"
@@ -80,6 +81,7 @@ class IslandStep {
         if (projects()) leave_depth_to_projection(work_.system);
         SolverSettings settings;
         settings.iterations = iterations();
+        settings.swept_iterations = context_.iterations;
         settings.w = world_.quick_w;
         settings.seed = world_.step_count * 0x9e3779b97f4a7c15u + std::uint64_t(place_.draw);
         settings.want_residual = !reports.empty();
@@ -92,7 +94,7 @@ class IslandStep {
         settings.symbolic_cache = &context_.symbolic_cache;
         if (projects()) settings.refine_above = 1e-9;  // the projection corrects smaller errors of position
         if (context_.solver.substeps && !blows_.begin(work_.system, arena_)) return false;
-        load_warm_start(warm_share());
+        load_warm_start(world_.warm_starting);
         std::optional<SubstepModel> model;
         Substeps callbacks;
         if (context_.solver.substeps) {
@@ -106,6 +108,7 @@ class IslandStep {
         if (has_exact_substeps()) exact_substeps_.kick(work_, warm_share());
         SolveReport solved;
         bool sane = context_.solver.solve(work_.system, settings, arena_, solved);
+        substeps_ = std::max(1, solved.iterations / 2);
         if (!context_.factorisations.empty())
             context_.factorisations[std::size_t(place_.first_island)] = solved.factorisations;
         if (sane && !has_parts()) sane = sound(work_.system, 0, tasks);
@@ -132,7 +135,8 @@ class IslandStep {
         }
         if (ledger_.wanted()) add_forces_to_ledger();
         remember_contacts();
-        if (!context_.solver.contact_manifolds) store_manifold_impulses(work_);
+        note_mean_forces();
+        if (!context_.solver.contact_manifolds) store_manifold_impulses(work_, solutions());
         if (watches_strain()) strain_.end(world_, work_, strained());
         if (context_.solver.substeps) return;  // the substeps have moved the poses
         if (!has_exact_substeps()) {
@@ -198,9 +202,8 @@ class IslandStep {
         for (int part = 0; part < work_.system.worlds(); ++part) {
             if (has_parts() && !sound(work_.system, part)) continue;
             ledger_.add_solution(work_, part, relaxed);
-            const int substeps = std::max(1, iterations());
             if (relaxed && !is_free(part))
-                ledger_.add_relaxed_corrections(part, substep_ends_, context_.h / Real(substeps));
+                ledger_.add_relaxed_corrections(part, substep_ends_, context_.h / Real(substeps_));
         }
     }
 
@@ -225,15 +228,19 @@ class IslandStep {
     int iterations() const
     {
         const int n = context_.iterations, factor = context_.solver.settling_factor;
-        return work_.island.settles() && n < kManyIterations ? n * factor : n;
+        return work_.island.settles() && !sweeps_joints() && n < kManyIterations ? n * factor : n;
     }
     Real warm_share() const { return world_.warm_starting * context_.solver.warm_share; }
+    // What joints leave open in substeps depends on their number: with another one they would jerk.
+    bool sweeps_joints() const { return &context_.solver == &kTgs && has_lasting_joints(work_.island); }
     bool projects() const { return exact_ && world_.projection_iterations > 0; }
     // What the impulses that joints remember are divided by to be forces.
     Real inner_step() const
     {
         return context_.solver.substeps ? context_.h / Real(std::max(1, iterations())) : work_.system.h;
     }
+    // Impulses of the system's step are those of so many parts of the whole one.
+    Real solutions() const { return has_exact_substeps() ? Real(world_.exact_substeps) : Real(1); }
     bool has_exact_substeps() const { return exact_ && world_.exact_substeps > 1; }
     bool watches_strain() const { return context_.solver.substeps && !context_.strained.empty(); }
     std::span<bool> strained() const
@@ -300,24 +307,25 @@ class IslandStep {
         return place_.first_contact + int(work_.contacts.size() + block);
     }
 
-    // Every solver may start from the impulses of the last step.
-    void load_warm_start(Real share)
+    // Every solver may start from the impulses of the last step. `wanted`: times its own share of them.
+    void load_warm_start(Real wanted)
     {
         RowSystem& system = work_.system;
-        if (!context_.solver.contact_manifolds) load_manifold_impulses(work_, share);
+        const Real share = wanted * context_.solver.warm_share;
+        if (!context_.solver.contact_manifolds) load_manifold_impulses(work_, share / solutions());
         for (const JointManifold& m : system.joint_contacts.manifolds)
             load_contact(ticket_of_point(m.first), m, points_of(m), share);
         for (std::size_t k = 0; k < work_.joints.size(); ++k) {
-            const Joint& joint = *work_.joints[k];
             const RowBlock& block = system.blocks[k];
             RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
-            if (block.contact) {
-                JointManifoldPoint point{block.arms.r1, 0, 0, 0, {}};
-                load_contact(ticket_of_block(k), manifold_of(block), {&point, 1}, share);
-                for (int i = 0; i < std::min(block.count, 3); ++i) numbers[i].p = point.p[i];
-            } else if (joint.impulse_rows == block.count) {
-                for (int i = 0; i < block.count; ++i) numbers[i].p = share * impulses(joint)[i];
+            if (!block.contact) {
+                load_memory(lasting(*work_.joints[k]), block, system, context_.solver, wanted,
+                            std::max(1, iterations()));
+                continue;
             }
+            JointManifoldPoint point{block.arms.r1, 0, 0, 0, {}};
+            load_contact(ticket_of_block(k), manifold_of(block), {&point, 1}, share);
+            for (int i = 0; i < std::min(block.count, 3); ++i) numbers[i].p = point.p[i];
         }
     }
 
@@ -325,7 +333,15 @@ class IslandStep {
     {
         const auto& bodies = work_.island.bodies;
         const Body* body2 = m.body2 >= 0 ? bodies[std::size_t(m.body2)] : nullptr;
-        context_.contacts.load(place_.index, ticket, *bodies[std::size_t(m.body1)], body2, m, points, share);
+        context_.contacts.load(place_.index, ticket, *bodies[std::size_t(m.body1)], body2, m, points, share,
+                               work_.system.h);
+    }
+
+    void note_mean_forces()
+    {
+        for (std::size_t k = 0; k < work_.joints.size(); ++k)
+            if (!work_.system.blocks[k].contact)
+                note_mean_force(lasting(*work_.joints[k]), work_.system.blocks[k], work_.system, context_.h);
     }
 
     void remember_contacts()
@@ -333,14 +349,14 @@ class IslandStep {
         const RowSystem& system = work_.system;
         for (const JointManifold& m : system.joint_contacts.manifolds)
             if (!blows_.struck(system, m))
-                context_.contacts.remember(ticket_of_point(m.first), m, points_of(m));
+                context_.contacts.remember(ticket_of_point(m.first), m, points_of(m), solutions());
         for (std::size_t k = 0; k < work_.joints.size(); ++k) {
             const RowBlock& block = system.blocks[k];
             if (!block.contact || blows_.struck(system, k)) continue;
             JointManifoldPoint point{};
             for (int i = 0; i < std::min(block.count, 3); ++i)
                 point.p[i] = system.numbers[std::size_t(block.first + i)].p;
-            context_.contacts.remember(ticket_of_block(k), manifold_of(block), {&point, 1});
+            context_.contacts.remember(ticket_of_block(k), manifold_of(block), {&point, 1}, solutions());
         }
     }
 
@@ -373,6 +389,7 @@ class IslandStep {
     ExactSubsteps exact_substeps_;
     StrainWatch strain_;
     Blows blows_;
+    int substeps_ = 1;  // if the solver has any
     ProjectionReport projected_;
     int raised_ = 0;  // bodies whose inertia is
     std::span<SolverBody> plain_;

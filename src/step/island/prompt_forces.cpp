@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "step/island/problem/joint_memory.h"
+
 namespace epode {
 namespace {
 
@@ -95,7 +97,7 @@ class PromptForces {
     {
         for (int k = from.blocks; k < to.blocks; ++k) {
             const RowBlock& block = system_.blocks[std::size_t(k)];
-            for (int i = block.first; i < block.first + block.count; ++i) list_row(block, std::size_t(i));
+            for (int i = 0; i < block.count; ++i) list_row(block, i, last_impulse(k, i));
         }
         for (int k = from.contact_manifolds; k < to.contact_manifolds; ++k) {
             const ContactManifold& manifold = *system_.contact_manifolds[std::size_t(k)];
@@ -103,12 +105,22 @@ class PromptForces {
         }
     }
 
-    void list_row(const RowBlock& block, std::size_t i)
+    // Of row i of block k: joints keep another share of theirs than contacts (step/island/problem/joint_memory.h).
+    Real last_impulse(int k, int i) const
     {
+        const RowBlock& block = system_.blocks[std::size_t(k)];
+        const Real kept = system_.numbers[std::size_t(block.first + i)].p;
+        if (block.contact || kept == 0) return unscale_ * kept;
+        const LastingJoint& joint = lasting(*work_.joints[std::size_t(k)]);
+        return step_ratio(joint, system_.h) * joint.impulse[i];
+    }
+
+    void list_row(const RowBlock& block, int index, Real p)
+    {
+        const auto i = std::size_t(block.first + index);
         const Row& row = system_.rows[i];
         const RowNumbers& n = system_.numbers[i];
         if (row.kind == RowKind::kNormal && !(n.p > 0) && row.error < 0) return;
-        const Real p = unscale_ * n.p;
         Bearing to{row, block.body1, block.body2, p, -kInf, kInf, block.term_count > 0 ? &block : nullptr};
         const Real d = inverse_effective_mass(system_, block, row, system_.bodies);
         if (n.C > kSpringShare * d) {

@@ -40,6 +40,7 @@ void keep_impulses(Joint& joint, const RowBlock& block, const RowSystem& system)
 {
     for (int i = 0; i < block.count; ++i) impulses(joint)[i] = system.numbers[std::size_t(block.first + i)].p;
     joint.impulse_rows = std::uint8_t(block.count);
+    lasting(joint).impulse_step = system.h;
 }
 
 // f(coupling, block)

@@ -257,8 +257,8 @@ TEST_F(Validate, finds_points_of_the_contact_cache_that_are_used_between_steps)
         JointManifoldPoint point{};
         point.r1 = {0, 0, Real(-0.5)};
         ASSERT_TRUE(cache.begin(1, 1));
-        cache.load(0, 0, body(0), nullptr, manifold, {&point, 1}, 1);
-        if (ends) cache.end();
+        cache.load(0, 0, body(0), nullptr, manifold, {&point, 1}, 1, 1);
+        if (ends) cache.end(1);
     };
     step(true);
     ASSERT_EQ(cache.fault(), nullptr);

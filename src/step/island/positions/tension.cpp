@@ -32,6 +32,7 @@
 #include <cmath>
 
 #include "math/cholesky.h"
+#include "step/island/problem/joint_memory.h"
 
 namespace epode {
 namespace {
@@ -162,7 +163,8 @@ int add_tension(const IslandWork& work, std::span<SolverBody> bodies, Real h, Re
         const RowBlock& block = work.system.blocks[k];
         const Joint& joint = *work.joints[k];
         if (block.contact || joint.impulse_rows != block.count) continue;
-        const Load load = load_of(joint, block, work.system);
+        Load load = load_of(joint, block, work.system);
+        load.P *= step_ratio(lasting(joint), work.system.h);
         swings.add(block.body1, load, load.r1);
         swings.add(block.body2, load, load.r2);
     }

@@ -166,7 +166,7 @@ void load_manifold_impulses(IslandWork& work, Real share)
     });
 }
 
-void store_manifold_impulses(const IslandWork& work)
+void store_manifold_impulses(const IslandWork& work, Real times)
 {
     for (ManifoldEdge* edge : work.island.manifolds)
         edge->manifold->rolling_impulse = {}, edge->manifold->struck = false;
@@ -175,13 +175,13 @@ void store_manifold_impulses(const IslandWork& work)
         for (int k = 1; k < block.count; ++k) {
             const auto at = std::size_t(block.first + k);
             const Row& row = work.system.rows[at];
-            const Real p = work.system.numbers[at].p;
+            const Real p = times * work.system.numbers[at].p;
             if (k < kPointRows)
                 friction += p * row.lin1;
             else
                 couple += p * row.ang1;
         }
-        keep_impulses(work.system.numbers[std::size_t(block.first)].p, friction, point);
+        keep_impulses(times * work.system.numbers[std::size_t(block.first)].p, friction, point);
         manifold.rolling_impulse = is_finite(narrow(couple)) ? narrow(couple) : Float3{};
     });
 }

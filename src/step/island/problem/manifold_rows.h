@@ -17,6 +17,7 @@ int manifold_point_count(const Island& island);
 void emit_manifolds(const StepInfo& info, IslandWork& work, int& rows, int& blocks);
 // Numbers must hold the rows' own by now.
 void load_manifold_impulses(IslandWork& work, Real share);
-void store_manifold_impulses(const IslandWork& work);
+// `times`: what the impulses of the whole step are of those of the system's.
+void store_manifold_impulses(const IslandWork& work, Real times);
 
 }  // namespace epode
