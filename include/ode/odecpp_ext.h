@@ -94,12 +94,14 @@ class dWorldExt : public dWorld {
     }
     dReal getStepProjectionTolerance() const { return dWorldGetStepProjectionTolerance(get_id()); }
 
-    /** Hybrid steps: dWorldStepHybrid, dWorldSetHybridStepper, dWorldSetHybridSubsteps. */
+    /** Hybrid steps: dWorldStepHybrid, dWorldSetHybridStepper, dWorldSetHybridSubsteps, dWorldSetHybridBudget. */
     int stepHybrid(dReal stepsize) { return dWorldStepHybrid(get_id(), stepsize); }
     void setHybridStepper(int stepper) { dWorldSetHybridStepper(get_id(), stepper); }
     int getHybridStepper() const { return dWorldGetHybridStepper(get_id()); }
     void setHybridSubsteps(int count) { dWorldSetHybridSubsteps(get_id(), count); }
     int getHybridSubsteps() const { return dWorldGetHybridSubsteps(get_id()); }
+    void setHybridBudget(dReal times) { dWorldSetHybridBudget(get_id(), times); }
+    dReal getHybridBudget() const { return dWorldGetHybridBudget(get_id()); }
 
     /** What a step did: dWorldSetStepReportMode, dWorldGetStepReport, dWorldGetIslandStepReport. */
     void setStepReportMode(int mode) { dWorldSetStepReportMode(get_id(), mode); }

@@ -63,6 +63,15 @@ ODE_API int dBodyGetHybridStepper(dBodyID body);
 ODE_API void dWorldSetHybridSubsteps(dWorldID world, int count);
 ODE_API int dWorldGetHybridSubsteps(dWorldID world);
 
+/** - dWorldSetHybridBudget: Set how long the exact solutions of a hybrid step may take together, times what
+      substeps of all its islands would (times); default 1. What does not fit takes substeps. The same on every
+      machine: work is counted, not timed, and 0.5 ms times `times` are always allowed. Islands whose bodies
+      request dStepperExact, and those with couplings, do not count. 0: nothing else is solved exactly;
+      dInfinity: whatever the rules of docs/solvers.md choose. Values below 0 are refused.
+    - dWorldGetHybridBudget: What dWorldSetHybridBudget has set, 1 at first. [ours] */
+ODE_API void dWorldSetHybridBudget(dWorldID world, dReal times);
+ODE_API dReal dWorldGetHybridBudget(dWorldID world);
+
 /** @chapter many Many worlds at once
 
     Worlds know nothing of each other, so each can be stepped on a thread of its own: a learner with a robot

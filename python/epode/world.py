@@ -158,6 +158,8 @@ class World(Object):
     threads = reads_and_sets(c.dWorldGetStepThreads, c.dWorldSetStepThreads, "Largest number of threads of a step; 0: all.")
     quick_iterations = reads_and_sets(c.dWorldGetQuickStepNumIterations, c.dWorldSetQuickStepNumIterations, "Of quick steps.")
     hybrid_substeps = reads_and_sets(c.dWorldGetHybridSubsteps, c.dWorldSetHybridSubsteps, "Substeps of a hybrid step.")
+    hybrid_budget = reads_and_sets(c.dWorldGetHybridBudget, c.dWorldSetHybridBudget,
+                                   "Time of the exact solutions in a hybrid step, times that of substeps.")
     exact_substeps = reads_and_sets(c.dWorldGetExactSubsteps, c.dWorldSetExactSubsteps, "Substeps of an exact step.")
     exact_rotation = flag(c.dWorldGetExactRotation, c.dWorldSetExactRotation, "Rotate free bodies exactly.")
     friction_cone = flag(c.dWorldGetFrictionCone, c.dWorldSetFrictionCone,

@@ -264,6 +264,7 @@ WORLD_NUMBER(int, ExactSubsteps, exact_substeps, value >= 1 && value <= 1000)
 WORLD_NUMBER(int, StepProjection, projection_iterations, value >= 0 && value <= 100)
 WORLD_NUMBER(dReal, StepProjectionTolerance, projection_tolerance, value > 0 && value < 1)
 WORLD_NUMBER(int, HybridStepper, hybrid_stepper, is_stepper(value))
+WORLD_NUMBER(dReal, HybridBudget, hybrid_budget, value >= 0)
 WORLD_NUMBER(int, HybridSubsteps, hybrid_substeps, value >= 1 && value <= kMaxSubsteps)
 
 // ---- report (ode/ext.h) ----

@@ -30,9 +30,9 @@ bool ContactWorld::find_unsupported(const World& world, const Space& in, Array<B
 bool ContactWorld::take_disturbed(const Space& in)
 {
     const Disturbances& all = in.disturbances;
-    if (!all.knows_since(seen_disturbances_)) return resting_.empty() || resting_.take_all(last_);
+    if (!all.knows_since(seen_disturbances_)) return resting_.empty() || resting_.take_all(float(h_), last_);
     for (std::uint64_t i = seen_disturbances_; i < all.count(); ++i)
-        if (!resting_.take(all[i].serial, last_)) return false;
+        if (!resting_.take(all[i].serial, float(h_), last_)) return false;
     return true;
 }
 

@@ -48,10 +48,11 @@ struct DampingRule {
 struct HybridState {
     std::uint8_t requested = 0;  // stepper (dStepper); 0: none
     bool was_exact = false;
-    std::uint8_t factorisations = 0;  // of the last exact step; 0: unknown
-    std::uint8_t strained = 0;        // steps for which its joints stay exact in substeps
+    std::uint16_t work = 0;     // of the last exact step, microseconds; 0: unknown
+    std::uint8_t strained = 0;  // steps for which its joints stay exact in substeps
+    std::uint8_t refused = 0;   // steps for which the island is not solved exactly: it took too much work
 
-    bool remembers() const { return was_exact || factorisations > 0 || strained > 0; }
+    bool remembers() const { return was_exact || work > 0 || strained > 0 || refused > 0; }
 };
 
 struct Body : Numbered {

@@ -255,13 +255,14 @@ void take_bits(Body& body, std::uint16_t bits)
 
 void hybrid(Body& body, StateStream& stream)
 {
-    const std::uint32_t word =
-        stream.word(std::uint32_t(body.hybrid.strained) << 16 | std::uint32_t(body.hybrid.was_exact) << 8 |
-                    body.hybrid.factorisations);
+    HybridState& h = body.hybrid;
+    const std::uint32_t word = stream.word(std::uint32_t(h.work) << 16 | std::uint32_t(h.was_exact) << 15 |
+                                           std::uint32_t(h.refused) << 8 | h.strained);
     if (!stream.stores()) return;
-    body.hybrid.was_exact = word >> 8 & 1;
-    body.hybrid.factorisations = std::uint8_t(word);
-    body.hybrid.strained = std::uint8_t(word >> 16);
+    const bool old = stream.format() < 6;  // with factorisations instead of work
+    h.was_exact = word >> (old ? 8 : 15) & 1;
+    h.strained = std::uint8_t(old ? word >> 16 : word);
+    h.refused = std::uint8_t(old ? 0 : word >> 8 & 127), h.work = std::uint16_t(old ? 0 : word >> 16);
 }
 
 std::uint16_t bits_of(const Body& body)

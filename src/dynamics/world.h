@@ -54,6 +54,7 @@ struct World : Tagged {
     Real projection_tolerance = kSingle ? Real(1e-3) : Real(1e-4);
     int hybrid_stepper = 0;            // of islands without requests (dStepper); 0: by the model
     int hybrid_substeps = 4;           // where hybrid steps have them
+    Real hybrid_budget = 1;            // of exact solutions in a hybrid step: times what substeps would take
     unsigned islands_max_threads = 0;  // 0: unlimited
     int step_threads = 1;              // 0: one per processor; not looked at while `threading` is set
     dThreadingImplementationID threading = nullptr;

@@ -15,6 +15,7 @@
 namespace epode {
 
 class SymbolicCache;
+struct WorkMeter;
 
 struct SolverSettings {
     int iterations = 20;
@@ -32,6 +33,7 @@ struct SolverSettings {
     // reaches 1e-9.
     double refine_above = 1e-10;
     SymbolicCache* symbolic_cache = nullptr;  // symbolic factors of earlier steps, kept by the world
+    WorkMeter* work = nullptr;  // exact solver: counts, and may end, the solution (solve/common/work_meter.h)
 };
 
 struct SolveReport {
@@ -40,6 +42,7 @@ struct SolveReport {
     int iterations = 0;
     int factorisations = 0;
     bool fallback = false;
+    bool gave_up = false;     // there is no answer: it would have taken more work than it may
     Real friction_error = 0;  // of exact solvers with Coulomb's friction (solve/exact/coulomb.h), relative
 };
 

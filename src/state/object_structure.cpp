@@ -42,6 +42,7 @@ void solver_settings(World& w, StructureStream& stream)
     stream.real(w.projection_tolerance, StructureStream::kFinite, 0);
     stream.number(w.hybrid_stepper), stream.demand(is_stepper(w.hybrid_stepper), kStepper);
     stream.number(w.hybrid_substeps, 1, kMaxSubsteps + 1, "too many substeps");
+    if (!stream.is_older_than(3)) stream.real(w.hybrid_budget, StructureStream::kInfinite, 0);
     stream.number(w.islands_max_threads), stream.number(w.step_threads, 0, 65, "too many threads");
 }
 

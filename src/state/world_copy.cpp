@@ -43,11 +43,10 @@ const char* append_state(World& world, Array<std::byte>& out)
     return nullptr;
 }
 
-// Builds a world and gives it its state.
-const char* build(std::span<const std::byte> structure, std::span<const std::byte> state, Use use, Seal with,
-                  WorldCopy& out, HandleTable table, Text text)
+// Builds a world from what the stream has and gives it its state.
+const char* build(ShapeStream& stream, std::span<const std::byte> state, Seal with, WorldCopy& out,
+                  HandleTable table, Text text)
 {
-    ShapeStream stream(structure, use);
     WorldStructure made(stream);
     World* const world = made.load();
     if (!world) return put(text, stream.text());
@@ -96,8 +95,8 @@ const char* clone_world(World& world, Space* space, WorldCopy& out, HandleTable 
     if (stream.failed()) return put({text, text_size}, stream.text());
     const WorldState* const state = written_state(world, Seal::kUnsealed);
     if (!state) return kOutOfMemory;
-    const char* const wrong =
-        build(bytes.span(), state->written(), Use::kClone, Seal::kUnsealed, out, table, {text, text_size});
+    ShapeStream copy(bytes.span(), Use::kClone);
+    const char* const wrong = build(copy, state->written(), Seal::kUnsealed, out, table, {text, text_size});
     if (!wrong) table.write(original, 0);
     return wrong;
 }
@@ -124,7 +123,9 @@ const char* load_world(std::span<const std::byte> file, WorldCopy& out, char* te
     const std::span<const std::byte> structure = file.subspan(sizeof header, header.structure_size);
     const std::span<const std::byte> state =
         file.subspan(sizeof header + structure.size(), header.state_size);
-    return build(structure, state, Use::kFile, Seal::kSealed, out, {}, {text, text_size});
+    ShapeStream stream(structure, Use::kFile);
+    stream.set_version(header.version);
+    return build(stream, state, Seal::kSealed, out, {}, {text, text_size});
 }
 
 int count_handles(World& world, Space* space, char* text, std::size_t text_size)

@@ -4,6 +4,7 @@
 // The header of a file of a world, checked before anything else is read. Files of one version are read by all
 // later libraries; a part that changes gets another version and is read in both ways.
 //   1 -> 2   checksum, and what format 4 of states has changed
+//   2 -> 3   the budget of hybrid steps (state/object_structure.cpp)
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,7 @@ namespace epode {
 
 struct WorldFileHeader {
     static constexpr std::uint32_t kMagic = 0x77736e65;  // "ensw"
-    static constexpr std::uint16_t kVersion = 2;
+    static constexpr std::uint16_t kVersion = 3;
 
     std::uint32_t magic = kMagic;
     std::uint16_t version = kVersion;

@@ -26,7 +26,12 @@ constexpr double kUnequal = 20;         // ratio of masses from which substeps c
 constexpr double kSmall = 1e-3;         // largest fall in a substep over the radius of gyration
 constexpr double kTall = 0.4;           // the same times (height / radius)^2, of tall stacks
 constexpr std::uint8_t kStrainedSteps = 50;
-constexpr int kGuess = 8, kGuessJoints = 2;  // factorisations, where bodies remember none
+constexpr std::uint8_t kRefusedSteps = 30;
+constexpr int kGuess = 8, kGuessJoints = 2;  // factorisations, where bodies remember no work
+constexpr double kBodyWork = 0.3, kPointWork = 0.3, kJointWork = 0.9;  // microseconds in four substeps
+constexpr double kMargin = 1.5;   // of what an exact solution may take, over what the last one took
+constexpr double kBeginning = 2;  // factorisations of a step in which joints begin
+constexpr int kForgetting = 16;   // share of the work that is forgotten in a step without an exact solution
 
 struct Structure {
     int bodies = 0;  // that can move
@@ -90,8 +95,8 @@ Structure structure_of(const World& world, const Island& island)
 
 struct History {
     int requested = 0;  // the most exact stepper that a body requests
-    int factorisations = 0;
-    bool exact = false;
+    double work = 0;    // of an exact solution, microseconds; 0: unknown
+    bool exact = false, refused = false;
 };
 
 History history_of(const Island& island)
@@ -101,16 +106,27 @@ History history_of(const Island& island)
         const int requested = body->hybrid.requested;
         if (requested && (!h.requested || requested < h.requested)) h.requested = requested;
         h.exact = h.exact || body->hybrid.was_exact;
-        h.factorisations = std::max<int>(h.factorisations, body->hybrid.factorisations);
+        h.refused = h.refused || body->hybrid.refused > 0;
+        h.work = std::max(h.work, double(body->hybrid.work));
     }
     return h;
 }
 
-double exact_cost(const Structure& s, const History& history)
+double once(const Structure& s)
 {
-    const double loops = s.loops(), once = 0.15 * s.bodies + 0.06 * loops * std::sqrt(loops) + 0.1 * s.rows();
-    const int guess = s.contacts > 0 ? kGuess : kGuessJoints;
-    return once * (history.factorisations > 0 ? history.factorisations : guess);
+    const double loops = s.loops();
+    return 0.15 * s.bodies + 0.06 * loops * std::sqrt(loops) + 0.1 * s.rows();
+}
+
+double exact_work(const Structure& s, const History& history)
+{
+    if (history.work > 0) return history.work;
+    return once(s) * (s.contacts > 0 ? kGuess : kGuessJoints);
+}
+
+double substeps_work(const Structure& s, int substeps)
+{
+    return 0.25 * substeps * (kBodyWork * s.bodies + kPointWork * s.contacts + kJointWork * s.joints);
 }
 
 // Is the step too long for the forces of joints that carry a hanging load, whose directions change as it
@@ -137,13 +153,21 @@ bool iterates_well(const Structure& s, const World& world, Real h)
     return s.contacts == 0 || (s.ratio() < kUnequal && !topples(s, world, h));
 }
 
-const Solver& by_model(const Structure& s, const History& history, const World& world, Real h)
+// How it is solved if not exactly.
+const Solver& in_substeps(const Structure& s) { return s.joints > 0 ? kNetwork : kTgs; }
+
+bool wants_exact(const Structure& s, const History& history, const World& world, Real h)
 {
-    if (s.joints == 0 && iterates_well(s, world, h)) return kTgs;
+    if (history.refused || (s.joints == 0 && iterates_well(s, world, h))) return false;
     const bool linear = s.contacts == 0 || (s.joints == 0 && s.loops() == 0);
     const double budget = (linear ? kLinearBudget : kBudget) * (history.exact ? kStay : 1);
-    if (exact_cost(s, history) <= budget) return kDirect;
-    return s.joints > 0 ? kNetwork : kTgs;
+    return exact_work(s, history) <= budget;
+}
+
+bool has_new_joints(const Island& island)
+{
+    return std::any_of(island.joints.begin(), island.joints.end(),
+                       [](const Joint* joint) { return !is_contact(*joint) && !joint->begun; });
 }
 
 }  // namespace
@@ -169,14 +193,26 @@ int hybrid_iterations(const World& world, const Solver& solver)
     return solver.substeps ? world.hybrid_substeps : world.quick_iterations;
 }
 
-const Solver& choose_solver(const World& world, const Island& island, Real h)
+HybridChoice choose(const World& world, const Island& island, Real h)
 {
+    HybridChoice choice;
     const History history = history_of(island);
-    if (const Solver* requested = solver_named(history.requested)) return *requested;
-    if (const Solver* wanted = solver_named(world.hybrid_stepper)) return *wanted;
+    if (const Solver* requested = solver_named(history.requested)) return {requested};
+    if (const Solver* wanted = solver_named(world.hybrid_stepper)) return {wanted};
     const Structure structure = structure_of(world, island);
-    if (structure.coupled) return kDirect;
-    return swings_too_fast(structure, world, h) ? kNetwork : by_model(structure, history, world, h);
+    choice.substeps_work = substeps_work(structure, world.hybrid_substeps);
+    if (structure.coupled) return choice.solver = &kDirect, choice;
+    const bool swings = swings_too_fast(structure, world, h);
+    choice.solver = swings ? &kNetwork : &in_substeps(structure);
+    if (choice.solver == &kNetwork)
+        choice.network_work = 0.25 * world.hybrid_substeps * kJointWork * structure.joints;
+    choice.begins = structure.joints > 0 && has_new_joints(island);
+    if (!choice.begins && (swings || !wants_exact(structure, history, world, h))) return choice;
+    choice.wants_exact = true, choice.was_exact = history.exact && !choice.begins;
+    choice.max_work = choice.begins      ? kBeginning * once(structure)
+                      : history.work > 0 ? kMargin * history.work
+                                         : exact_work(structure, history);
+    return choice;
 }
 
 const Solver& relieved(const Solver& solver, const Island& island)
@@ -187,20 +223,30 @@ const Solver& relieved(const Solver& solver, const Island& island)
     return std::any_of(island.bodies.begin(), island.bodies.end(), strained) ? kNetwork : solver;
 }
 
-void remember_choice(const Island& island, const Solver& solver, const StepMemo& memo)
+void remember_choice(const Island& island, const IslandMethod& method, bool hybrid)
 {
-    const bool exact = &solver == &kDirect;
+    const bool direct = method.solver == &kDirect, exact = direct && !method.gave_up;
+    const Solver& solver = method.gave_up ? *method.fallback : *method.solver;
     for (Body* body : island.bodies) {
         HybridState& state = body->hybrid;
-        if (memo.strained)
+        if (method.strained)
             state.strained = kStrainedSteps;
         else if (state.strained > 0)
             --state.strained;
-        if (!memo.hybrid) continue;
+        if (!hybrid) continue;
         state.was_exact = exact;
-        if (exact) state.factorisations = std::uint8_t(std::clamp(memo.factorisations, 0, 255));
+        if (direct)
+            state.work = std::uint16_t(std::clamp(method.work + 1, 1.0, 65535.0));
+        else if (state.refused == 0)
+            state.work = std::uint16_t(state.work - (state.work + kForgetting - 1) / kForgetting);
+        if (method.gave_up)
+            state.refused = kRefusedSteps;
+        else if (state.refused > 0)
+            --state.refused;
         if (solver.substeps) body->spin_excess = {};  // substeps integrate the rotation without it
     }
+    if (hybrid)
+        for (Joint* joint : island.joints) joint->begun = true;
 }
 
 }  // namespace epode

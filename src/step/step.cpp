@@ -21,6 +21,7 @@
 #include "step/common/undo.h"
 #include "step/finish.h"
 #include "step/hybrid.h"
+#include "step/hybrid_budget.h"
 #include "step/island/energy_ledger.h"
 #include "step/island/island_step.h"
 #include "step/island/report.h"
@@ -107,7 +108,7 @@ class WorldStep {
         if (!undo_.save_idleness(arena) || !undo_.wake(state_.unsupported.span(), arena) ||
             !find_contacts() || !find_islands(arena) || !undo_.save_islands(islands_, arena))
             return false;
-        if (chooses() && !choose_solvers(arena)) return false;
+        if (chooses() && !choose_methods(arena)) return false;
         if (updates_contacts_ && state_.events.list().wants_contacts() &&
             !state_.world_contacts.measure_approach(workers_.of_islands))
             return false;
@@ -151,8 +152,7 @@ class WorldStep {
 
     void remember_choices() const
     {
-        for (std::size_t i = 0; i < solvers_.size(); ++i)
-            remember_choice(islands_[i], *solvers_[i], {factorisations_[i], strained_[i], hybrid_});
+        for (std::size_t i = 0; i < methods_.size(); ++i) remember_choice(islands_[i], methods_[i], hybrid_);
     }
 
     // Takes sleeping bodies out of the active ones, so that later steps skip them.
@@ -245,23 +245,19 @@ class WorldStep {
     // Islands have solvers of their own in hybrid steps, and in substeps where joints come apart.
     bool chooses() const { return hybrid_ || &context_.solver == &kTgs; }
 
-    bool choose_solvers(Arena& arena)
+    bool choose_methods(Arena& arena)
     {
-        solvers_ = arena.take<const Solver*>(int(islands_.size()));
-        factorisations_ = arena.take_zeroed<int>(int(islands_.size()));
-        strained_ = arena.take_zeroed<bool>(int(islands_.size()));
+        methods_ = arena.take<IslandMethod>(int(islands_.size()));
         if (arena.failed()) return false;
-        for (std::size_t i = 0; i < solvers_.size(); ++i) {
-            const Solver& solver =
-                hybrid_ ? choose_solver(context_.world, islands_[i], context_.h) : context_.solver;
-            solvers_[i] = &relieved(solver, islands_[i]);
-        }
+        if (hybrid_) return choose_hybrid_methods(context_.world, islands_, context_.h, arena, methods_);
+        for (std::size_t i = 0; i < methods_.size(); ++i)
+            methods_[i] = {&relieved(context_.solver, islands_[i])};
         return true;
     }
 
     const Solver& solver_of(std::size_t island) const
     {
-        return solvers_.empty() ? context_.solver : *solvers_[island];
+        return methods_.empty() ? context_.solver : *methods_[island].solver;
     }
 
     // Consecutive islands that one solver solves together.
@@ -381,8 +377,7 @@ class WorldStep {
                 .symbolic_cache = c.symbolic_cache,
                 .undo = c.undo,
                 .manages_contacts = c.manages_contacts,
-                .factorisations = factorisations_,
-                .strained = strained_};
+                .methods = methods_};
     }
 
     const StepContext& context_;
@@ -392,10 +387,8 @@ class WorldStep {
     const Workers& workers_;
     std::span<Island> islands_;
     bool updates_contacts_ = false;
-    std::span<Body*> asleep_;           // active bodies that have fallen asleep
-    std::span<const Solver*> solvers_;  // by island; empty: all have the context's
-    std::span<int> factorisations_;     // likewise
-    std::span<bool> strained_;          // likewise
+    std::span<Body*> asleep_;          // active bodies that have fallen asleep
+    std::span<IslandMethod> methods_;  // by island; empty: all have the context's solver
     std::span<Group> groups_;
     std::span<int> parcels_;
     StepUndo& undo_;
@@ -459,8 +452,7 @@ bool step_in(World& world, StepState& state, StepMemory& memory, const Solver* s
                               .symbolic_cache = state.symbolic_cache,
                               .undo = undo,
                               .manages_contacts = state.world_contacts.live_space() != nullptr,
-                              .factorisations = {},
-                              .strained = {}};
+                              .methods = {}};
     WorldStep step(context, !solver, state, memory, workers);
     const bool made = step.prepare() && step.run() && step.stop_at_impacts();
     if (made) {

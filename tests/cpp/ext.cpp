@@ -22,6 +22,7 @@ Numbers read_world(dWorldID w)
     n.push_back(dWorldGetStepProjectionTolerance(w));
     n.push_back(dWorldGetHybridStepper(w));
     n.push_back(dWorldGetHybridSubsteps(w));
+    n.push_back(dWorldGetHybridBudget(w));
     n.push_back(dWorldGetStepReportMode(w));
     n.push_back(dWorldGetEnergyLedgerMode(w));
     n.push_back(dWorldGetDiagnosisMode(w));
@@ -49,6 +50,7 @@ void test_world_options()
     WORLD_SET(StepProjectionTolerance, REAL(0.01));
     WORLD_SET(HybridStepper, dStepperExact);
     WORLD_SET(HybridSubsteps, 7);
+    WORLD_SET(HybridBudget, 3);
     WORLD_SET(StepReportMode, 1);
     WORLD_SET(EnergyLedgerMode, 1);
     WORLD_SET(DiagnosisMode, 1);

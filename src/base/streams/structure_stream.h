@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <span>
 
 #include "base/array.h"
@@ -33,6 +34,9 @@ class StructureStream : public FirstFault {
     bool saves() const { return to_ != nullptr; }
     bool loads() const { return !saves(); }
     bool is_clone() const { return use_ == Use::kClone; }
+    // Of the file that is loaded (state/world_file.h).
+    bool is_older_than(int version) const { return version_ < version; }
+    void set_version(int version) { version_ = version; }
 
     // Bytes that are left to be loaded.
     std::size_t left() const { return from_.size(); }
@@ -112,6 +116,7 @@ class StructureStream : public FirstFault {
     Array<std::byte>* to_ = nullptr;
     std::span<const std::byte> from_;
     Use use_;
+    int version_ = std::numeric_limits<int>::max();  // what this library writes
 };
 
 }  // namespace epode

@@ -71,6 +71,7 @@ bool ActiveSet::solve(ExactProblem& problem, PackedRows& rows, std::span<double>
     const bool friction = any_two_bounds(rows);
     rows.velocities(problem, r_, v);
     for (int round = 0; round < settings.rounds; ++round) {
+        if (problem.gives_up()) return false;
         ++rounds;
         settle(rows);
         rows.factor(problem, D_);

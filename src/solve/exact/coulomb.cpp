@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solve/common/work_meter.h"
 #include "solve/exact/frozen_friction.h"
 
 namespace epode {
@@ -58,15 +59,19 @@ bool solve_coulomb(SolveBoxes solve, RowSystem& system, const SolverSettings& se
     Arena::Scope scope(arena);
     FrozenFriction friction(system);
     if (!friction.prepare(arena) || !solve(system, settings, arena, report)) return false;
+    if (report.gave_up) return true;
     const Patience patience = int(system.rows.size()) > kLargeRows ? kLarge : kSmall;
     Real error = friction.judge();
     Best best(friction, report, error);
     for (int pass = 0; error > kCoulomb && pass < patience.passes && best.idle() < patience.idle; ++pass) {
+        if (settings.work && settings.work->exhausted()) break;
         if (!solve(friction.freeze(), settings, arena, report)) return false;
+        if (report.gave_up) break;
         friction.thaw();
         error = friction.judge();
         best.offer(report, error);
     }
+    report.gave_up = false;
     best.restore(report);
     return true;
 }

@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "solve/common/cut_blocks.h"
+#include "solve/common/work_meter.h"
 #include "solve/exact/active_set.h"
 #include "solve/exact/coulomb.h"
 #include "solve/exact/extended/primal_active_set.h"
@@ -42,7 +43,7 @@ class DirectSolve {
     {
         refine_above_ = settings.refine_above;
         const int m = int(system.rows.size());
-        if (!problem_.build(system, arena)) return false;
+        if (!problem_.build(system, settings.work, arena)) return false;
         state_.lo = arena.take<double>(m);
         state_.hi = arena.take<double>(m);
         state_.p = arena.take<double>(m);
@@ -55,6 +56,9 @@ class DirectSolve {
                problem_.build_factor(system, settings.symbolic_cache, settings.tasks, arena) &&
                packed_.prepare(problem_, arena) && active_.prepare(problem_, packed_.max_places(), arena);
     }
+
+    bool gives_up() const { return problem_.gives_up(); }
+    int factorisations() const { return problem_.factorisations(); }
 
     // Both phases; false: out of memory, or given up.
     bool run(RowSystem& system, Arena& arena, SolveReport& report)
@@ -75,12 +79,13 @@ class DirectSolve {
   private:
     bool solve_phase(Arena& arena, SolveReport& report)
     {
-        if (!solve_box(arena, report)) return false;
+        if (!solve_box(arena, report) || gives_up()) return false;
         residual_ = problem_.residual(state_, scratch_);
         if (!(residual_ > refine_above_)) return true;
         if (!fallback_ready_ && !(fallback_ready_ = fallback_.prepare(problem_, arena))) return false;
         residual_ = fallback_.solve(problem_, state_, scratch_, report.iterations);
         if (!(residual_ > kPromised)) return true;
+        if (gives_up()) return false;
         if (!problem_.soften()) return solve_densely(arena, report);
         std::copy(begun_.begin(), begun_.end(), state_.p.begin());
         return solve_phase(arena, report);
@@ -90,6 +95,8 @@ class DirectSolve {
     bool solve_densely(Arena& arena, SolveReport& report)
     {
         if (problem_.row_count() > ExtendedFactor::kMaxRows) return true;
+        problem_.count_work(ExtendedFactor::work(problem_.row_count()));
+        if (gives_up()) return false;
         if (!fallback_dense_ && !(fallback_dense_ = fallback_.prepare_dense(problem_, arena))) return false;
         residual_ = fallback_.solve(problem_, state_, scratch_, report.iterations);
         return true;
@@ -104,7 +111,7 @@ class DirectSolve {
             packed_.unpack(state_);
             return true;
         }
-        if (give_up_early_) return false;
+        if (give_up_early_ || gives_up()) return false;
         if (!problem_.wide_rows().empty()) return persist(report);
         report.fallback = true;
         if (!interior_ready_) interior_ready_ = interior_.prepare(problem_, packed_.max_places(), arena);
@@ -113,7 +120,7 @@ class DirectSolve {
         packed_.take_impulses(begun_);
         interior_.solve(problem_, packed_, state_.v, kInteriorTolerance, report.iterations);
         packed_.unpack(state_);
-        keep_better_of_polish(report);
+        if (!gives_up()) keep_better_of_polish(report);
         return true;
     }
 
@@ -161,6 +168,12 @@ class DirectSolve {
     std::span<double> kept_, begun_, scratch_;
 };
 
+bool give_up(SolveReport& report)
+{
+    report.gave_up = true;
+    return true;
+}
+
 bool solve_large(RowSystem& system, const SolverSettings& settings, bool pivot, Arena& arena,
                  SolveReport& report)
 {
@@ -169,6 +182,10 @@ bool solve_large(RowSystem& system, const SolverSettings& settings, bool pivot, 
         DirectSolve direct(pivot);
         if (!direct.prepare(system, settings, arena)) return false;
         if (direct.run(system, arena, report)) return true;
+        if (!arena.failed() && direct.gives_up()) {
+            report.factorisations += direct.factorisations();
+            return give_up(report);
+        }
     }
     if (!pivot || arena.failed()) return false;
     const SmallResult result = solve_by_pivoting(system, settings, arena, report);
@@ -187,6 +204,7 @@ bool solve_boxes(RowSystem& system, const SolverSettings& settings, Arena& arena
         case SmallResult::kNotSolved:
             break;
     }
+    if (settings.work && settings.work->exhausted()) return give_up(report);
     return solve_large(system, settings, can_pivot(system), arena, report);
 }
 

@@ -24,7 +24,8 @@ class Equalities {
   public:
     bool prepare(const RowSystem& system, SymbolicCache* symbolic_cache, Arena& arena)
     {
-        if (!problem_.build(system, arena) || !problem_.build_factor(system, symbolic_cache, Tasks(1), arena))
+        if (!problem_.build(system, nullptr, arena) ||
+            !problem_.build_factor(system, symbolic_cache, Tasks(1), arena))
             return false;
         const int m = problem_.row_count();
         D_ = arena.take<double>(m);

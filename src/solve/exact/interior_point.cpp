@@ -74,7 +74,7 @@ bool InteriorPoint::solve(ExactProblem& problem, PackedRows& rows, std::span<dou
         stall = measure < 0.9 * mark || mu < 0.5 * mu_mark ? 0 : stall + 1;
         if (stall == 0) mark = std::min(mark, measure), mu_mark = std::min(mu_mark, mu);
         if (reached || stall >= kStall || !(measure < HUGE_VAL) || !(mu < HUGE_VAL)) break;
-        if (k == kMaxIterations) break;
+        if (k == kMaxIterations || problem.gives_up()) break;
         ++iterations;
         rows.factor(problem, {rows_.D, std::size_t(rows.count())});
         const bool cramped = stall >= kPatience && step < 0.9;

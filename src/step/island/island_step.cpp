@@ -8,6 +8,7 @@
 #include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
 #include "joints/breaking.h"
+#include "solve/common/work_meter.h"
 #include "step/island/blows.h"
 #include "step/island/energy_ledger.h"
 #include "step/island/exact_substeps.h"
@@ -92,6 +93,8 @@ class IslandStep {
         settings.tasks = tasks;
         settings.substep_ends = substep_ends_;
         settings.symbolic_cache = &context_.symbolic_cache;
+        if (IslandMethod* method = exact_method())
+            work_meter_.limit = method->max_work, settings.work = &work_meter_;
         if (projects()) settings.refine_above = 1e-9;  // the projection corrects smaller errors of position
         if (context_.solver.substeps && !blows_.begin(work_.system, arena_)) return false;
         load_warm_start(world_.warm_starting);
@@ -109,8 +112,10 @@ class IslandStep {
         SolveReport solved;
         bool sane = context_.solver.solve(work_.system, settings, arena_, solved);
         substeps_ = std::max(1, solved.iterations / 2);
-        if (!context_.factorisations.empty())
-            context_.factorisations[std::size_t(place_.first_island)] = solved.factorisations;
+        if (IslandMethod* method = exact_method())
+            method->work = work_meter_.spent, method->gave_up = solved.gave_up;
+        factorisations_ = solved.factorisations;
+        if (gave_up()) return false;
         if (sane && !has_parts()) sane = sound(work_.system, 0, tasks);
         if (sane && has_exact_substeps())
             sane = exact_substeps_.run(work_, raised_ > 0, settings, solved, projected_);
@@ -121,6 +126,10 @@ class IslandStep {
         if (sane && raised_ > 0 && knows_forces()) report_raised(work_.system, plain_, arena_, reports);
         return sane;
     }
+
+    // An exact solution would have taken more work than it may: nothing is solved.
+    int factorisations() const { return factorisations_; }
+    bool gave_up() const { return exact_method() && exact_method()->gave_up; }
 
     void accept(const Tasks& tasks, std::span<dIslandStepReport> reports)
     {
@@ -137,7 +146,7 @@ class IslandStep {
         remember_contacts();
         note_mean_forces();
         if (!context_.solver.contact_manifolds) store_manifold_impulses(work_, solutions());
-        if (watches_strain()) strain_.end(world_, work_, strained());
+        if (watches_strain()) strain_.end(world_, work_, methods());
         if (context_.solver.substeps) return;  // the substeps have moved the poses
         if (!has_exact_substeps()) {
             if (projects())
@@ -242,10 +251,15 @@ class IslandStep {
     // Impulses of the system's step are those of so many parts of the whole one.
     Real solutions() const { return has_exact_substeps() ? Real(world_.exact_substeps) : Real(1); }
     bool has_exact_substeps() const { return exact_ && world_.exact_substeps > 1; }
-    bool watches_strain() const { return context_.solver.substeps && !context_.strained.empty(); }
-    std::span<bool> strained() const
+    bool watches_strain() const { return context_.solver.substeps && !context_.methods.empty(); }
+    std::span<IslandMethod> methods() const
     {
-        return context_.strained.subspan(std::size_t(place_.first_island), work_.members.size());
+        return context_.methods.subspan(std::size_t(place_.first_island), work_.members.size());
+    }
+    // Of an exact solution whose work counts.
+    IslandMethod* exact_method() const
+    {
+        return exact_ && !context_.methods.empty() && !has_exact_substeps() ? &methods().front() : nullptr;
     }
     bool has_parts() const { return !work_.system.parts.empty(); }
 
@@ -389,6 +403,8 @@ class IslandStep {
     ExactSubsteps exact_substeps_;
     StrainWatch strain_;
     Blows blows_;
+    WorkMeter work_meter_{};
+    int factorisations_ = 0;
     int substeps_ = 1;  // if the solver has any
     ProjectionReport projected_;
     int raised_ = 0;  // bodies whose inertia is
@@ -413,6 +429,24 @@ Island joined(std::span<const Island> islands)
     return sum;
 }
 
+namespace {
+
+StepContext with_fallback(const StepContext& c, IslandPlace place)
+{
+    const IslandMethod& method = c.methods[std::size_t(place.first_island)];
+    return {.world = c.world,
+            .solver = *method.fallback,
+            .h = c.h,
+            .iterations = method.fallback_iterations,
+            .contacts = c.contacts,
+            .symbolic_cache = c.symbolic_cache,
+            .undo = c.undo,
+            .manages_contacts = c.manages_contacts,
+            .methods = c.methods};
+}
+
+}  // namespace
+
 bool step_islands(const StepContext& context, std::span<const Island> islands, IslandPlace place,
                   const Tasks& tasks, Arena& arena, const IslandRecords& records)
 {
@@ -422,6 +456,13 @@ bool step_islands(const StepContext& context, std::span<const Island> islands, I
     IslandStep step(context, islands, place, records.ledgers, arena);
     const bool solved = step.solve(tasks, reports);
     if (arena.failed()) return false;
+    if (step.gave_up()) {
+        context.undo.restore_bodies(joined(islands).bodies);
+        context.contacts.begin_again(place.index);
+        if (!step_islands(with_fallback(context, place), islands, place, tasks, arena, records)) return false;
+        if (!reports.empty()) reports[0].factorisations += step.factorisations();
+        return true;
+    }
     solved ? step.accept(tasks, reports) : step.refuse(reports);
     step.end_ledger();
     for (std::size_t i = 0; i < reports.size(); ++i) end_report(context.world, islands[i], reports[i]);

@@ -10,6 +10,7 @@
 #include "dynamics/world.h"
 #include "solve/solver.h"
 #include "step/common/contact_cache.h"
+#include "step/common/island_method.h"
 #include "step/common/undo.h"
 
 namespace epode {
@@ -22,9 +23,8 @@ struct StepContext {
     ContactCache& contacts;
     SymbolicCache& symbolic_cache;
     StepUndo& undo;
-    bool manages_contacts;          // the world has world-managed contacts
-    std::span<int> factorisations;  // by island, if wanted
-    std::span<bool> strained;       // by island, if wanted: its joints come apart (step/island/strain.h)
+    bool manages_contacts;            // the world has world-managed contacts
+    std::span<IslandMethod> methods;  // by island; empty: all have this solver, and nothing is noted
 };
 
 struct IslandPlace {

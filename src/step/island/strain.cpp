@@ -113,14 +113,14 @@ bool StrainWatch::begin(const World& world, const IslandWork& work, Arena& arena
     return true;
 }
 
-void StrainWatch::end(const World& world, const IslandWork& work, std::span<bool> strained) const
+void StrainWatch::end(const World& world, const IslandWork& work, std::span<IslandMethod> methods) const
 {
     for (int part = 0; part < int(before_.size()); ++part) {
         const Before& then = before_[std::size_t(part)];
         if (!then.apart) continue;
         const PartEnergy now = energy_of_part(world, work, part);
         const double gain = then.driven ? kGainIfDriven : kGain;
-        strained[std::size_t(part)] = now.sum - then.energy > gain * now.scale;
+        methods[std::size_t(part)].strained = now.sum - then.energy > gain * now.scale;
     }
 }
 

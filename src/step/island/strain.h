@@ -15,6 +15,7 @@
 // in its next steps (step/hybrid.h); a false alarm costs time only.
 #pragma once
 
+#include "step/common/island_method.h"
 #include "step/island/problem/assemble.h"
 
 namespace epode {
@@ -23,8 +24,8 @@ class StrainWatch {
   public:
     // After the rows are written and before anything moves. False: out of memory.
     bool begin(const World& world, const IslandWork& work, Arena& arena);
-    // After the bodies have moved: sets those of `strained`, one for each part, that are.
-    void end(const World& world, const IslandWork& work, std::span<bool> strained) const;
+    // After the bodies have moved: notes it in the methods, one for each part.
+    void end(const World& world, const IslandWork& work, std::span<IslandMethod> methods) const;
 
   private:
     // Of a part at the beginning.

@@ -16,6 +16,7 @@ std::vector<double> read(dWorldID w)
 {
     return {double(dWorldGetHybridStepper(w)),
             double(dWorldGetHybridSubsteps(w)),
+            double(dWorldGetHybridBudget(w)),
             double(dWorldGetExactSubsteps(w)),
             double(dWorldGetExactRotation(w)),
             double(dWorldGetStepProjection(w)),

@@ -19,6 +19,8 @@ namespace epode {
 class ExtendedFactor {
   public:
     static constexpr int kMaxRows = 512;
+    // Microseconds of one core, of a factor of so many rows.
+    static double work(int rows) { return 1e-3 * double(rows) * double(rows) * double(rows); }
 
     // False: out of memory. `rows`: as many as the problem has, at most kMaxRows.
     bool prepare(int rows, Arena& arena);

@@ -17,7 +17,8 @@ constexpr int kMaxPasses = 80;
 constexpr int kDensePasses = 6;
 constexpr int kMaxDirections = 30;
 constexpr int kMinDirections = 8;
-constexpr int kManyRows = 2000;  // above this, directions cost too much memory
+constexpr double kDirectionPass = 0.005;  // microseconds of a row and a direction
+constexpr int kManyRows = 2000;           // above this, directions cost too much memory
 
 }  // namespace
 
@@ -55,6 +56,8 @@ void ExtendedRefinement::iterate(ExactProblem& problem, BoxState& state, std::sp
     double mark = HUGE_VAL, now = residual(problem, state, low, v);
     for (int pass = 0, stall = 0, k = 0; pass < kMaxPasses && now > kEnough * problem.scale(); ++pass) {
         if (k == directions_) k = 0;
+        if (problem.gives_up()) return;
+        problem.count_work(kDirectionPass * double(D_.size()) * (k + 4));
         precondition(problem, direction(k));
         if (!orthogonalise(problem, k)) return;
         ++k;

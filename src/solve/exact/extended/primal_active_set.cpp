@@ -46,6 +46,7 @@ bool PrimalActiveSet::flip_rounds(ExactProblem& problem, BoxState& state, std::s
 {
     int fewest = problem.row_count() + 1, patience = kPatience;
     for (int round = 0; round < kFlipRounds; ++round) {
+        if (problem.gives_up()) return false;
         ++rounds;
         settle(state);
         equalities_.solve(problem, state, low_, v);
@@ -69,6 +70,7 @@ void PrimalActiveSet::descend(ExactProblem& problem, BoxState& state, std::span<
     }
     const int max_rounds = 20 + 2 * problem.row_count();
     for (int round = 0; round < max_rounds && best_residual_ > kGood; ++round) {
+        if (problem.gives_up()) return;
         ++rounds;
         settle(state);
         std::copy(state.p.begin(), state.p.end(), from_.begin());

@@ -11,6 +11,11 @@
 namespace epode {
 namespace {
 
+// Microseconds: of a row and a body that become part of the problem, of a row in a pass over all; of a product of
+// blocks, of a block in a solution, and of its analysis.
+constexpr double kRowWork = 0.03, kBodyWork = 0.05, kRowPass = 0.008;
+constexpr double kProductWork = 0.05, kBlockPass = 0.015, kAnalysisWork = 0.1;
+
 void put(Vec3 a, double* out) { out[0] = a.x, out[1] = a.y, out[2] = a.z; }
 
 // block += s x y^T, 6x6 column-major
@@ -26,8 +31,10 @@ void add_outer(double* block, double s, const double* x, const double* y)
 
 }  // namespace
 
-bool ExactProblem::build(const RowSystem& system, Arena& arena)
+bool ExactProblem::build(const RowSystem& system, WorkMeter* work, Arena& arena)
 {
+    work_ = work;
+    count_work(kRowWork * double(system.rows.size()) + kBodyWork * double(system.bodies.size()));
     rows_ = arena.take<ExactRow>(int(system.rows.size()));
     if (arena.failed() || !number_bodies(system, arena) || !take_wide(system, arena)) return false;
     fill_rows(system);
@@ -109,6 +116,21 @@ void ExactProblem::from_root(const BodyRoot& root, double* six)
     six[3] = (six[3] - root.l10 * six[4] - root.l20 * six[5]) * root.r0;
 }
 
+// Counted by the structure alone: whether the analysis was in the cache depends on what other threads have done.
+void ExactProblem::note_work()
+{
+    const SymbolicFactor& factor = symbolic_.symbolic();
+    double products = 0;
+    for (const Front& front : factor.fronts) {
+        const double w = front.width, b = front.below;
+        products += w * (w + 1) * (w + 2) / 6 + b * w * (w + 1) / 2 + w * b * (b + 1) / 2;
+    }
+    const double rows = double(rows_.size());
+    factor_work_ = kProductWork * products + kRowPass * rows;
+    solve_work_ = kBlockPass * factor.blocks + 2 * kRowPass * rows;
+    count_work(kAnalysisWork * factor.blocks);
+}
+
 bool ExactProblem::build_factor(const RowSystem& system, SymbolicCache* symbolic_cache, const Tasks& tasks,
                                 Arena& arena)
 {
@@ -135,6 +157,7 @@ bool ExactProblem::build_factor(const RowSystem& system, SymbolicCache* symbolic
     if (!symbolic_.take(int(roots_.size()), pairs, symbolic_cache, arena) ||
         !H_.prepare(symbolic_.symbolic(), tasks, arena))
         return false;
+    note_work();
     for (int k = 0; k < blocks; ++k) {
         const auto [a, b] = pairs[std::size_t(k)];
         PairBlocks& s = pairs_[std::size_t(k)];
@@ -236,6 +259,7 @@ void ExactProblem::begin_factor()
         for (int i = 0; i < 6; ++i) h[7 * i] = 1;
     }
     ++factorisations_;
+    count_work(factor_work_);
 }
 
 void ExactProblem::fill_rows(const RowSystem& system)

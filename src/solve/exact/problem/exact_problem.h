@@ -23,6 +23,7 @@
 #include "base/arena.h"
 #include "math/double_double.h"
 #include "rows/row_system.h"
+#include "solve/common/work_meter.h"
 #include "solve/exact/factor/block_cholesky.h"
 #include "solve/exact/factor/symbolic_cache.h"
 #include "solve/exact/problem/row_kernels.h"
@@ -59,8 +60,8 @@ struct BoxState {
 
 class ExactProblem {
   public:
-    // False: out of memory. The factor of H is prepared separately: not every method needs it.
-    bool build(const RowSystem& system, Arena& arena);
+    // False: out of memory. The factor of H is prepared separately: not every method needs it. `work` may be null.
+    bool build(const RowSystem& system, WorkMeter* work, Arena& arena);
     // `symbolic_cache` may be null.
     bool build_factor(const RowSystem& system, SymbolicCache* symbolic_cache, const Tasks& tasks,
                       Arena& arena);
@@ -84,7 +85,17 @@ class ExactProblem {
     // Rows of couplings, in their order among all rows.
     std::span<const int> wide_rows() const { return wide_rows_; }
     int factorisations() const { return factorisations_; }
-    void solve(std::span<double> x) { H_.solve(x); }
+    void solve(std::span<double> x)
+    {
+        count_work(solve_work_);
+        H_.solve(x);
+    }
+    // Microseconds of one core, of what is not done here.
+    void count_work(double time)
+    {
+        if (work_) work_->spent += time;
+    }
+    bool gives_up() const { return work_ && work_->exhausted(); }
 
     std::span<const double> free_motion() const { return v_star_; }  // v*
     // r = v* - v
@@ -125,6 +136,7 @@ class ExactProblem {
     };
 
     void begin_factor();
+    void note_work();
     void add_wide(WideJacobian row, double weight);
     bool take_wide(const RowSystem& system, Arena& arena);
     void fill_wide_row(int i, const RowNumbers& n, const RowBlock& block, const RowSystem& system,
@@ -150,6 +162,9 @@ class ExactProblem {
     std::span<WideTerm6> wide_terms_;  // of the system's terms, those of dynamic bodies
     double scale_ = 1;
     int factorisations_ = 0;
+    WorkMeter* work_ = nullptr;
+    double factor_work_ = 0,
+           solve_work_ = 0;  // microseconds, with the passes over the rows that go with them
 };
 
 inline double six_dot(const DoubleLane* a, const DoubleLane* b)

@@ -24,7 +24,7 @@ bool BoxPivoting::prepare(int n, Arena& arena)
 {
     n_ = n;
     stride_ = std::size_t(n + 3) & ~std::size_t(3);
-    sweeps_left_ = 8 * n + 16;
+    sweeps_left_ = max_sweeps();
     const auto rows = arena.take_zeroed<double>(int(stride_ * (stride_ + 9)));
     state_ = arena.take_zeroed<State>(n);
     if (arena.failed()) return false;

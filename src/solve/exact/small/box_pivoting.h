@@ -39,6 +39,7 @@ class BoxPivoting {
     void correct(std::span<const double> r, std::span<double> dp) const;
 
     bool basic(int i) const { return state_[at(i)] == kBasic; }
+    int sweeps_made() const { return n_ > 0 ? max_sweeps() - sweeps_left_ : 0; }
     double p(int i) const { return basic(i) ? x_[at(i)] : p_[at(i)]; }
 
   private:
@@ -46,6 +47,7 @@ class BoxPivoting {
 
     static std::size_t at(int i) { return std::size_t(i); }
     const double* row(int i) const { return G_.data() + at(i) * stride_; }
+    int max_sweeps() const { return 8 * n_ + 16; }
     bool drive(int i, double tolerance);
     int first_to_stop(double direction, double& length);
     void gather(int k);

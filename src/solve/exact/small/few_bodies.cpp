@@ -27,6 +27,7 @@ constexpr struct Patience {
 } kPatience[] = {{16, 1000}, {6, 5}, {6, 1}};
 
 constexpr int kMaxPasses = 8;
+constexpr double kRoundWork = 0.05;    // microseconds of a row or an unknown in a round
 constexpr double kContraction = 1e-3;  // of a pass, until one has been measured
 
 // The upper half of sum x x^T s, three lanes a row without those left of the diagonal.
@@ -124,9 +125,10 @@ struct Unknowns {
 
 }  // namespace
 
-SmallResult FewBodies::solve(RowSystem& system, double enough, Arena& arena, SolveReport& report)
+SmallResult FewBodies::solve(RowSystem& system, double enough, Arena& arena, SolveReport& report,
+                             WorkMeter* work)
 {
-    if (!prepare(system, arena)) return SmallResult::kNoMemory;
+    if (!prepare(system, work, arena)) return SmallResult::kNoMemory;
     const bool friction = bound_without_friction(problem_, system, state_);
     std::copy(state_.p.begin(), state_.p.end(), begun_.begin());
     if (!settle(report.iterations)) return SmallResult::kNotSolved;
@@ -147,10 +149,10 @@ SmallResult FewBodies::solve(RowSystem& system, double enough, Arena& arena, Sol
     return SmallResult::kSolved;
 }
 
-bool FewBodies::prepare(const RowSystem& system, Arena& arena)
+bool FewBodies::prepare(const RowSystem& system, WorkMeter* work, Arena& arena)
 {
     const int m = int(system.rows.size());
-    if (!problem_.build(system, arena)) return false;
+    if (!problem_.build(system, work, arena)) return false;
     n_ = problem_.unknowns();
     for (std::span<double>* rows : {&state_.lo, &state_.hi, &state_.p, &D_, &w_, &weight_, &begun_})
         *rows = arena.take<double>(m);
@@ -233,6 +235,7 @@ void FewBodies::choose(const Velocities& v)
 void FewBodies::factor()
 {
     ++factorisations_;
+    problem_.count_work(kRoundWork * (n_ + int(open_.size())));
     for (const int i : open_) {
         const auto k = std::size_t(i);
         const BoxState::Tag tag = state_.tag[k];

@@ -27,7 +27,8 @@ class FewBodies {
     static constexpr std::size_t kMaxBodies = 3;
 
     // Both phases; kNotSolved: the guesses do not settle, or not to the residual `enough`.
-    SmallResult solve(RowSystem& system, double enough, Arena& arena, SolveReport& report);
+    SmallResult solve(RowSystem& system, double enough, Arena& arena, SolveReport& report,
+                      WorkMeter* work = nullptr);
 
   private:
     static constexpr int kMaxUnknowns = 6 * int(kMaxBodies), kLanes = kMaxUnknowns / 2;
@@ -40,7 +41,7 @@ class FewBodies {
         if (n_ <= 12) return work(std::integral_constant<int, 6>{});
         work(std::integral_constant<int, 9>{});
     }
-    bool prepare(const RowSystem& system, Arena& arena);
+    bool prepare(const RowSystem& system, WorkMeter* work, Arena& arena);
     bool settle(int& rounds);
     bool has_shifted() const;
     template <int Lanes>

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "solve/common/residual.h"
+#include "solve/common/work_meter.h"
 #include "solve/exact/small/condensed.h"
 #include "solve/exact/small/few_bodies.h"
 #include "solve/exact/small/small_island.inc"
@@ -20,7 +21,15 @@ constexpr std::size_t kPivotMax = 64;    // rows up to which it beats the interi
 
 constexpr double kNearly = 0.01;  // natural residual of a guess that is almost right
 
+// Microseconds of a row, once; of a row in a tree of few joints.
+constexpr double kSmallRow = 0.1, kCondensedRow = 0.1;
+
 enum class Method { kNewton, kPivoting };
+
+void count_work(WorkMeter* work, double time)
+{
+    if (work) work->spent += time;
+}
 
 SmallResult solve_with(Method method, RowSystem& system, const SolverSettings& settings, Arena& arena,
                        SolveReport& report)
@@ -31,6 +40,8 @@ SmallResult solve_with(Method method, RowSystem& system, const SolverSettings& s
     if (method == Method::kPivoting && !island.bounded()) return SmallResult::kNotSolved;
     const SmallResult result = method == Method::kNewton ? island.newton(system, arena, report.iterations)
                                                          : island.pivoting(system, arena, report.iterations);
+    const double rows = double(system.rows.size());
+    count_work(settings.work, kSmallRow * rows + island.work(rows));
     if (result != SmallResult::kSolved) return result;
     // Answers that these methods accept may still lack digits; the general path has more.
     const double residual = island.residual();
@@ -81,6 +92,7 @@ SmallResult solve_small(RowSystem& system, const SolverSettings& settings, Arena
     if (dynamic <= kMaxLinks && has_joints(system)) {
         const SmallResult result =
             condensed_kernels().back()->solve(system, settings.refine_above, arena, report);
+        count_work(settings.work, kCondensedRow * double(system.rows.size()));
         if (result != SmallResult::kNotSolved) return result;
     }
     if (system.blocks.size() > kMaxBlocks) return SmallResult::kNotSolved;
@@ -92,7 +104,7 @@ SmallResult solve_small(RowSystem& system, const SolverSettings& settings, Arena
     if (dynamic <= FewBodies::kMaxBodies && system.rows.size() <= kPivotMax) {
         Arena::Scope scope(arena);
         FewBodies few;
-        const SmallResult result = few.solve(system, settings.refine_above, arena, report);
+        const SmallResult result = few.solve(system, settings.refine_above, arena, report, settings.work);
         if (result != SmallResult::kNotSolved) return result;
     }
     if (system.rows.size() > kPivotFirst || almost_right(system, arena)) return SmallResult::kNotSolved;

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "step/hybrid_budget.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epode {
+namespace {
+
+constexpr double kLeastBudget = 500;    // microseconds
+constexpr double kLeastPart = 20;       // likewise
+constexpr double kForNewcomers = 0.75;  // of the budget
+constexpr double kForBeginners = 8;     // times the budget
+
+struct Candidate {
+    int island;
+    bool begins, was_exact;
+    double work;
+};
+
+bool precedes(const Candidate& a, const Candidate& b)
+{
+    if (a.begins != b.begins) return a.begins;
+    if (a.was_exact != b.was_exact) return a.was_exact;
+    return a.work != b.work ? a.work < b.work : a.island < b.island;
+}
+
+// Of one kind of islands: parts that are taken, and what is left to be shared.
+class Budget {
+  public:
+    explicit Budget(double whole, double taken = 0) : whole_(whole), taken_(taken) {}
+
+    // False: it does not fit into so much of the whole.
+    bool take(double part, double share)
+    {
+        if (!(taken_ + part <= share * whole_)) return false;
+        taken_ += part, ++parts_;
+        return true;
+    }
+    // What each part may be longer.
+    double spare() const
+    {
+        return parts_ > 0 && whole_ < HUGE_VAL ? std::max(0.0, whole_ - taken_) / parts_ : 0;
+    }
+
+  private:
+    const double whole_;
+    double taken_;
+    int parts_ = 0;
+};
+
+}  // namespace
+
+bool choose_hybrid_methods(const World& world, std::span<const Island> islands, Real h, Arena& arena,
+                           std::span<IslandMethod> methods)
+{
+    Arena::Scope scope(arena);
+    const auto candidates = arena.take<Candidate>(int(islands.size()));
+    if (arena.failed()) return false;
+    std::size_t count = 0;
+    double substeps = 0, network = 0;
+    for (std::size_t i = 0; i < islands.size(); ++i) {
+        const HybridChoice choice = choose(world, islands[i], h);
+        methods[i] = {&relieved(*choice.solver, islands[i])};
+        substeps += choice.substeps_work, network += choice.network_work;
+        if (choice.wants_exact)
+            candidates[count++] = {int(i), choice.begins, choice.was_exact,
+                                   std::max(kLeastPart, choice.max_work)};
+    }
+    const auto list = candidates.first(count);
+    std::sort(list.begin(), list.end(), precedes);
+    const double whole = double(world.hybrid_budget) * std::max(substeps, kLeastBudget);
+    Budget budget(whole, network), for_beginners(kForBeginners * whole);
+    std::size_t taken = 0;
+    for (const Candidate& candidate : list) {
+        Budget& from = candidate.begins ? for_beginners : budget;
+        if (from.take(candidate.work, candidate.was_exact || candidate.begins ? 1 : kForNewcomers))
+            list[taken++] = candidate;
+    }
+    for (const Candidate& candidate : list.first(taken)) {
+        const double part = candidate.work + (candidate.begins ? for_beginners : budget).spare();
+        IslandMethod& method = methods[std::size_t(candidate.island)];
+        method = {&kDirect, method.solver, hybrid_iterations(world, *method.solver), part};
+    }
+    return true;
+}
+
+}  // namespace epode
