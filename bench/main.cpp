@@ -14,6 +14,7 @@
 #include "bench/problems/mechanisms.h"
 #include "bench/problems/pile.h"
 #include "bench/runs/asleep.h"
+#include "bench/runs/hybrid.h"
 #include "bench/runs/scene_bench.h"
 #include "bench/runs/scene_run.h"
 #include "bench/runs/state.h"
@@ -179,6 +180,15 @@ CLI::App* add_asleep(CLI::App& app, epode::bench::AsleepOptions& options)
     return command;
 }
 
+CLI::App* add_hybrid(CLI::App& app, epode::bench::HybridOptions& options)
+{
+    CLI::App* command = app.add_subcommand("hybrid", "hybrid steps compared with substeps: worst steps");
+    command->add_option("--steps", options.steps, "that are timed (default 300)")
+        ->check(CLI::Range(1, 1'000'000));
+    command->add_flag("--large", options.large, "10,000 pieces of debris, too");
+    return command;
+}
+
 // Of benchmark scenes: run, export, judge.
 void add_scene_choice(CLI::App& command, epode::bench::SceneChoice& choice)
 {
@@ -297,6 +307,8 @@ int main(int argc, char** argv)
     CLI::App* state_command = add_state(app, state);
     epode::bench::AsleepOptions asleep;
     CLI::App* asleep_command = add_asleep(app, asleep);
+    epode::bench::HybridOptions hybrid;
+    CLI::App* hybrid_command = add_hybrid(app, hybrid);
     epode::bench::SceneRunOptions run;
     CLI::App* run_command = add_run(app, run);
     epode::bench::SceneChoice exported;
@@ -343,6 +355,7 @@ int main(int argc, char** argv)
     if (*mechanisms_command) return epode::bench::bench_mechanisms(mechanisms);
     if (*state_command) return epode::bench::bench_state(state);
     if (*asleep_command) return epode::bench::bench_asleep(asleep);
+    if (*hybrid_command) return epode::bench::bench_hybrid(hybrid);
     if (*make_pile) return epode::bench::print_pile(pile.count, pile.side, pile.rows, pile.seed);
     return epode::bench::bench_scene(options);
 }
