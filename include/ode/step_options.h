@@ -41,8 +41,8 @@ ODE_API dReal dWorldGetStepWarmStarting(dWorldID world);
 /** - dWorldSetFrictionCone: Choose how the friction of contact joints is bounded. mode 0 (the default): each
       direction by itself, as ODE does. mode 1: both together, |(f1/l1, f2/l2)| <= 1 with the limits l1 and
       l2 of the two directions: with one mu Coulomb's cone. World-managed contacts (ode/contacts.h) always
-      have the cone in dWorldStepFast1; in the other steppers they have mode 1, too, and in mode 0 bounds
-      along their sliding and across. In dWorldStep limits follow in mode 1 from the present normal forces,
+      have the cone in dWorldStepFast1 and dWorldQuickStep; in dWorldStep they have mode 1, too, and in mode 0
+      bounds along their sliding and across. In dWorldStep limits follow in mode 1 from the present normal forces,
       not from those without friction: ladders stand. Refused: other values, a call during a step.
     - dWorldGetFrictionCone: The mode that dWorldSetFrictionCone has set, 0 at first. [ours] */
 ODE_API void dWorldSetFrictionCone(dWorldID world, int mode);

@@ -26,6 +26,7 @@ struct JointManifold {
     Real fixed[2];     // constant bound of the impulse
     int body1, body2;  // below zero: the world, see RowBlock
     int first, count;  // of the points
+    bool cone;         // friction is bounded by the ellipse of its limits, not by their box
 };
 
 struct JointManifoldPoint {

@@ -71,7 +71,8 @@ struct RowBlock {
     // Of a coupling: the one Jacobian of all its rows, over more than two bodies, in place of theirs and of
     // body1 and body2. Its rows are called wide.
     int first_term = 0, term_count = 0;
-    int wrench = -1;  // in RowSystem::wrenches; -1: only the impulses of its rows are wanted
+    int wrench = -1;    // in RowSystem::wrenches; -1: only the impulses of its rows are wanted
+    bool cone = false;  // of a contact for sweeps: friction is bounded by an ellipse, not a box
     bool coulomb =
         false;  // of a contact for exact solvers: friction is bounded by its present normal impulse, in an ellipse
 };
@@ -91,8 +92,7 @@ struct SystemPart {
 
 struct RowSystem {
     Real h = 0;
-    bool cone = false;     // friction of contacts with both directions is bounded by an ellipse, not a box
-    bool coulomb = false;  // some blocks are
+    bool coulomb = false;            // some blocks are
     bool nearly_solved = false;      // p is the answer of a nearby problem: rows on bounds begin there
     bool manifold_friction = false;  // a manifold has one friction for all their points
     std::span<SolverBody> bodies;

@@ -293,7 +293,7 @@ void begin_manifold(const Contact& contact, const StepInfo& info, int first, Joi
     m.n = contact.outward();
     m.offset = b ? a.position() - b->position() : Vec3{};
     m.body1 = a.island_index, m.body2 = b ? b->island_index : -1;
-    m.first = first, m.count = 0;
+    m.first = first, m.count = 0, m.cone = info.cone;
     if (contact.sliding_at_all()) return set_friction(contact, info, m);
     m.t1 = m.t2 = {};
     for (int k = 0; k < 2; ++k) m.c[k] = m.C[k] = m.mu[k] = m.fixed[k] = 0;

@@ -12,7 +12,7 @@ bool same_friction(const JointManifold& a, const JointManifold& b)
     for (int k = 0; k < 2; ++k)
         if (a.c[k] != b.c[k] || a.C[k] != b.C[k] || a.mu[k] != b.mu[k] || a.fixed[k] != b.fixed[k])
             return false;
-    return a.t1 == b.t1 && a.t2 == b.t2;
+    return a.t1 == b.t1 && a.t2 == b.t2 && a.cone == b.cone;
 }
 
 bool joins(const JointManifold& m, const JointManifold& next)
@@ -81,6 +81,7 @@ JointManifold manifold_of(const RowSystem& system, const RowBlock& block)
     JointManifold m{};
     m.body1 = block.body1, m.body2 = block.body2;
     m.n = rows[0].lin1;
+    m.cone = block.cone;
     if (block.body2 >= 0) m.offset = block.arms.r2 - block.arms.r1;
     if (block.count == 1) return m;
     m.t1 = rows[1].lin1, m.t2 = rows[2].lin1;
@@ -92,40 +93,59 @@ JointManifold manifold_of(const RowSystem& system, const RowBlock& block)
     return m;
 }
 
+bool has_cone(const RowSystem& system, const RowBlock& block)
+{
+    if (!block.cone || block.count < 3) return false;
+    const Row* rows = &system.rows[std::size_t(block.first)];
+    return rows[1].lin1 != Vec3{} && rows[2].lin1 != Vec3{};
+}
+
+bool ContactRows::reserve(const RowSystem& system, int contacts, Arena& arena)
+{
+    list_.manifolds = with_capacity(system.joint_contacts.manifolds, contacts, arena);
+    list_.points = with_capacity(system.joint_contacts.points, contacts, arena);
+    rows_ = arena.take<PointRows>(contacts);
+    return !arena.failed();
+}
+
 bool ContactRows::gather(const RowSystem& system, std::span<bool> taken, Arena& arena)
 {
-    std::fill(taken.begin(), taken.end(), false);
+    list_ = system.joint_contacts;
+    given_ = list_.points.size();
     int contacts = 0;
-    for (const RowBlock& block : system.blocks) contacts += block.contact;
+    for (std::size_t i = 0; i < system.blocks.size(); ++i) {
+        taken[i] = has_contact_form(system, system.blocks[i]);
+        contacts += taken[i];
+    }
     if (contacts == 0) return true;
-    list_.manifolds = arena.take<JointManifold>(contacts);
-    list_.points = arena.take<JointManifoldPoint>(contacts);
-    rows_ = arena.take<PointRows>(contacts);
-    if (arena.failed()) return false;
-
-    std::size_t manifolds = 0, points = 0;
+    std::size_t manifolds = list_.manifolds.size(), points = given_;
+    if (!reserve(system, contacts, arena)) return false;
     bool open = false;  // true if the next block may join the last manifold
     for (std::size_t i = 0; i < system.blocks.size(); ++i) {
         const RowBlock& block = system.blocks[i];
-        taken[i] = has_contact_form(system, block);
-        if (!taken[i]) {
-            open = false;
-            continue;
+        if (taken[i]) {
+            JointManifold next = manifold_of(system, block);
+            if (!open || !joins(list_.manifolds[manifolds - 1], next)) {
+                next.first = int(points);
+                list_.manifolds[manifolds++] = next;
+            }
+            ++list_.manifolds[manifolds - 1].count;
+            rows_[points - given_] = {block.first, block.count};
+            list_.points[points++] = point_of(system, block);
         }
-        JointManifold next = manifold_of(system, block);
-        if (!open || !joins(list_.manifolds[manifolds - 1], next)) {
-            next.first = int(points);
-            list_.manifolds[manifolds++] = next;
-        }
-        ++list_.manifolds[manifolds - 1].count;
-        rows_[points] = {block.first, block.count};
-        list_.points[points++] = point_of(system, block);
-        open = true;
+        open = taken[i];
     }
     list_.manifolds = list_.manifolds.first(manifolds);
     list_.points = list_.points.first(points);
-    rows_ = rows_.first(points);
+    rows_ = rows_.first(points - given_);
     return true;
+}
+
+void ContactRows::store_impulses(RowSystem& system) const
+{
+    if (list_.points.data() != system.joint_contacts.points.data())
+        std::copy_n(list_.points.begin(), given_, system.joint_contacts.points.begin());
+    for_each_impulse([&](int row, Real p) { system.numbers[std::size_t(row)].p = p; });
 }
 
 bool expand_manifolds(const RowSystem& system, Arena& arena, RowSystem& out)
@@ -143,7 +163,8 @@ bool expand_manifolds(const RowSystem& system, Arena& arena, RowSystem& out)
         for (int i = m.first; i < m.first + m.count; ++i, row += 3) {
             const JointManifoldPoint& point = system.joint_contacts.points[std::size_t(i)];
             expand_point(m, point, row, &out.rows[std::size_t(row)], &out.numbers[std::size_t(row)]);
-            out.blocks[block++] = {row, 3, m.body1, m.body2, true, {point.r1, point.r1 + m.offset}};
+            out.blocks[block] = {row, 3, m.body1, m.body2, true, {point.r1, point.r1 + m.offset}};
+            out.blocks[block++].cone = m.cone;
         }
     return true;
 }

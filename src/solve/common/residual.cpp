@@ -51,10 +51,11 @@ class Wanted {
     Real residual(const RowBlock& block) const
     {
         const int own = own_rows(system_, block);
-        const bool cone = system_.cone && slides(block) && own == block.count;
+        const bool cone = own > 1 && in_cone(block);
         Real worst = 0;
-        for (int i = block.first; i < block.first + (cone ? 1 : own); ++i) {
-            const auto k = std::size_t(i);
+        for (int i = 0; i < own; ++i) {
+            if (cone && (i == 1 || i == 2)) continue;  // both at once, below
+            const auto k = std::size_t(block.first + i);
             const Real d = inverse_mass(block, k), p = system_.numbers[k].p;
             if (!(d > 0)) continue;  // an empty row constrains nothing
             const Real clipped = std::min(std::max(p - violation(block, k) / d, lo_[k]), hi_[k]);
@@ -82,11 +83,11 @@ class Wanted {
     }
 
   private:
-    // True if the block has a normal and two tangents, and no rolling friction.
-    bool slides(const RowBlock& block) const
+    // Impulses that the caller holds where they are have no ellipse.
+    bool in_cone(const RowBlock& block) const
     {
-        const Row* rows = &system_.rows[std::size_t(block.first)];
-        return block.contact && block.count == 3 && rows[1].lin1 != Vec3{} && rows[2].lin1 != Vec3{};
+        const auto k = std::size_t(block.first) + 1;
+        return has_cone(system_, block) && lo_[k] < hi_[k] && lo_[k + 1] < hi_[k + 1];
     }
 
     Real inverse_mass(const RowBlock& block, std::size_t k) const

@@ -61,6 +61,7 @@ template <typename L>
 struct ContactBatchOf {
     int first, count;  // of the points
     BatchForm form;
+    bool cone;                                     // of all its manifolds
     ManifoldFrictionLanesOf<L>* friction;          // null: each point has its own
     std::uint32_t at1[L::kCount], at2[L::kCount];  // of the bodies, in bytes after the first velocity
     L inv_mass1, inv_mass2;

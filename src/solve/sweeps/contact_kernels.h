@@ -30,14 +30,13 @@ struct ContactKernelsOf {
     using Bodies = typename VelocityOf<L>::Type;
     // Writes masses, directions and friction targets of the batch; arms, normal and p of the points.
     void (*gather)(ContactBatchOf<L>& batch, BatchPointOf<L>* points, const ContactSourcesOf<L>& from);
-    // [0]: friction lies in the box of its limits, [1]: in their ellipse, a cone. Couplings and effective
-    // masses are computed from the rest, and p is put within its limits.
-    void (*prepare[2])(const ContactBatchOf<L>& batch, BatchPointOf<L>* points, typename L::Number w);
+    // Couplings and effective masses are computed from the rest, and p is put within its limits.
+    void (*prepare)(const ContactBatchOf<L>& batch, BatchPointOf<L>* points, typename L::Number w);
     // v += M^-1 J^T p
     void (*apply_impulses)(const ContactBatchOf<L>* batches, int count, const BatchPointOf<L>* points,
                            Bodies* bodies);
-    void (*sweep[2])(const ContactBatchOf<L>* batches, const int* order, int count, BatchPointOf<L>* points,
-                     Bodies* bodies);
+    void (*sweep)(const ContactBatchOf<L>* batches, const int* order, int count, BatchPointOf<L>* points,
+                  Bodies* bodies);
     // For a batch with manifold friction: writes each point's part of it to p of the tangents.
     void (*share_friction)(const ContactBatchOf<L>& batch, BatchPointOf<L>* points);
 };

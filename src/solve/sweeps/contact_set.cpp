@@ -19,7 +19,7 @@ constexpr int kRun = 32;
 
 // Fills unused lanes.
 constexpr SolverBody kAtRest{};
-constexpr JointManifold kNoManifold{{}, {}, {}, {}, {}, {}, {}, {}, -1, -1, 0, 0};
+constexpr JointManifold kNoManifold{{}, {}, {}, {}, {}, {}, {}, {}, -1, -1, 0, 0, false};
 constexpr JointManifoldPoint kNoPoint{};
 
 // Converts to float within its range: a finite limit stays finite.
@@ -88,6 +88,7 @@ class Chooser {
     bool free(int batch, int j) const
     {
         const JointManifold &m = manifolds_[std::size_t(j)], &first = manifolds_[std::size_t(first_)];
+        if (m.cone != first.cone) return false;
         if (manifold_friction_ && allows_manifold_friction(m) != allows_manifold_friction(first))
             return false;
         return stamps_[std::size_t(m.body1)] != batch &&
@@ -118,8 +119,7 @@ class Chooser {
 template <typename L>
 bool ContactSetOf<L>::pack(const RowSystem& system, const JointManifoldList& list, Real w, Arena& arena)
 {
-    cone_ = system.cone, manifold_friction_ = system.manifold_friction,
-    manifolds_ = int(list.manifolds.size());
+    manifold_friction_ = system.manifold_friction, manifolds_ = int(list.manifolds.size());
     if (list.manifolds.empty()) return true;
     if (!choose(system, list.manifolds, arena)) return false;
     const int count = chosen_.back().first + chosen_.back().count;
@@ -133,7 +133,7 @@ bool ContactSetOf<L>::pack(const RowSystem& system, const JointManifoldList& lis
         Batch& batch = batches_[b];
         fill_batch(system, list, chosen_[b], batch);
         if (batch.friction) fill_friction(list, b);
-        kernels_->prepare[cone_](batch, &points_[std::size_t(batch.first)], Number(w));
+        kernels_->prepare(batch, &points_[std::size_t(batch.first)], Number(w));
         for (int i = batch.first; i < batch.first + batch.count; ++i)
             silence_unused(sources_[std::size_t(i)], points_[std::size_t(i)]);
     }
@@ -170,6 +170,7 @@ void ContactSetOf<L>::fill_batch(const RowSystem& system, const JointManifoldLis
 {
     batch.first = choice.first, batch.count = choice.count;
     batch.form = BatchForm::kEven;
+    batch.cone = list.manifolds[std::size_t(choice.manifold[0])].cone;
     ContactSourcesOf<L> from;
     for (int lane = 0; lane < kCount; ++lane) {
         const int manifold = choice.manifold[lane];
@@ -321,7 +322,7 @@ void ContactSetOf<L>::shuffle(CounterRandom& random)
 template <typename L>
 void ContactSetOf<L>::sweep(std::span<Bodies> bodies)
 {
-    kernels_->sweep[cone_](batches_.data(), order_.data(), int(order_.size()), points_.data(), bodies.data());
+    kernels_->sweep(batches_.data(), order_.data(), int(order_.size()), points_.data(), bodies.data());
 }
 
 template <typename L>

@@ -77,7 +77,6 @@ class ContactSetOf {
 
     const ContactKernels* machine_;
     const ContactKernelsOf<L>* kernels_;
-    bool cone_ = false;
     bool manifold_friction_ = false;  // manifolds that allow it have one friction
     int manifolds_ = 0;
     std::span<Choice> chosen_;

@@ -28,7 +28,7 @@ namespace {
 constexpr int kCalmShare = 2;  // the second half of the sweeps
 
 struct Sweeps {
-    ContactRows rows;  // contacts that came as rows
+    ContactRows rows;  // contacts as manifolds, in whichever way they came
     QuickContacts contacts;
     JointLanes joints;
     RowSweep others;  // contacts of other kinds
@@ -39,31 +39,21 @@ struct Sweeps {
     {
         auto taken = arena.take<bool>(int(system.blocks.size()));
         if (arena.failed()) return false;
-        if (system.joint_contacts.points.empty()) {
-            if (!rows.gather(system, taken, arena)) return false;
-        } else {
-            std::fill(taken.begin(), taken.end(), false);
-        }
+        if (!rows.gather(system, taken, arena)) return false;
         if (!joints.pack(system, arena)) return false;
         joints.load(system);
         for (std::size_t i = 0; i < taken.size(); ++i) taken[i] = taken[i] || !system.blocks[i].contact;
         if (!others.pack(system, settings.w, taken, arena)) return false;
         const bool alone = joints.in_floats() && others.blocks().empty();
-        return contacts.pack(system, manifolds(system), settings, alone, arena);
-    }
-
-    // The contacts as manifolds, whichever way they came.
-    const JointManifoldList& manifolds(const RowSystem& system) const
-    {
-        return system.joint_contacts.points.empty() ? rows.list() : system.joint_contacts;
+        return contacts.pack(system, rows.list(), settings, alone, arena);
     }
 
     void store_impulses(RowSystem& system) const
     {
         joints.store_impulses(system.numbers);
         others.store_impulses(system.numbers);
-        contacts.store_impulses(manifolds(system).points);
-        rows.for_each_impulse([&](int row, Real p) { system.numbers[std::size_t(row)].p = p; });
+        contacts.store_impulses(rows.list().points);
+        rows.store_impulses(system);
     }
 
     void run(std::span<Velocity> bodies, const SolverSettings& settings)
@@ -147,6 +137,9 @@ bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena
     sweeps.store_impulses(system);
     if (!settings.want_residual) return true;
     const auto frictions = sweeps.contacts.manifold_frictions(arena);
+    // Those of contact joints come before the others; by part they are found by their bodies.
+    std::sort(frictions.begin(), frictions.end(),
+              [](const ManifoldFriction& f, const ManifoldFriction& g) { return f.body1 < g.body1; });
     return find_residuals(system, settings, before, frictions, arena, report);
 }
 

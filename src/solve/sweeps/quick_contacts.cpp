@@ -52,17 +52,25 @@ bool stands(const RowSystem& system, int body)
     return body < 0 || !(system.bodies[std::size_t(body)].inv_mass > 0);
 }
 
-// True if every part with contacts touches something that absorbs momentum.
+// True if every part with contact joints touches something that absorbs momentum.
 bool all_parts_stand(const RowSystem& system, const JointManifoldList& list)
 {
-    if (system.joint_contacts.manifolds.empty()) return true;
-    for (int part = 0; part < system.worlds(); ++part) {
-        const auto from = list.manifolds.begin() + system.begin_of(part).joint_manifolds;
-        const auto to = list.manifolds.begin() + system.end_of(part).joint_manifolds;
-        const auto on_static = [&](const JointManifold& m) {
+    const auto joints = list.manifolds.first(system.joint_contacts.manifolds.size());
+    const auto others = list.manifolds.subspan(joints.size());
+    if (joints.empty()) return true;
+    const auto none_on_static = [&](auto from, auto to) {
+        return std::none_of(from, to, [&](const JointManifold& m) {
             return stands(system, m.body1) || stands(system, m.body2);
-        };
-        if (from != to && std::none_of(from, to, on_static)) return false;
+        });
+    };
+    auto own = others.begin();
+    for (int part = 0; part < system.worlds(); ++part) {
+        const auto from = joints.begin() + system.begin_of(part).joint_manifolds;
+        const auto to = joints.begin() + system.end_of(part).joint_manifolds;
+        const int end = system.end_of(part).bodies;
+        const auto first = own;
+        own = std::find_if(own, others.end(), [end](const JointManifold& m) { return m.body1 >= end; });
+        if (from != to && none_on_static(from, to) && none_on_static(first, own)) return false;
     }
     return true;
 }

@@ -2,8 +2,10 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Rows of any form, one at a time: contacts that solve/sweeps/contact_set.h does not pack (rolling friction,
-// one tangent). Everything that a visit needs is in one record, because a row is visited once per sweep and
-// not again before it has left the caches.
+// one tangent). The two tangents of a contact whose friction is a cone are visited together, as there: steps with
+// one gain, that of the larger eigenvalue of the two rows, then shortened into the ellipse of their limits.
+// Everything that a visit needs is in one record, because a row is visited once per sweep and not again before
+// it has left the caches.
 #pragma once
 
 #include <span>
@@ -27,6 +29,7 @@ struct PackedBlock {
     int first, count;
     int body1, body2;  // into the velocities
     Real inv_mass1, inv_mass2;
+    bool cone;  // of the second and third row
 };
 
 class RowSweep {

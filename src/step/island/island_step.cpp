@@ -73,7 +73,6 @@ class IslandStep {
         if (ledger_.wanted() && !begin_ledger()) return false;
         const Real h = has_exact_substeps() ? exact_substeps_.substep() : context_.h;
         if (!assemble(world_, h, context_.solver, tasks, arena_, work_, &context_.undo)) return false;
-        work_.system.cone = world_.friction_cone && context_.solver.cones;
         work_.system.manifold_friction = world_.manifold_friction && context_.solver.cones;
         if (has_exact_substeps()) exact_substeps_.map(work_.system);
         for (std::size_t i = 0; i < reports.size(); ++i) report_errors(work_, int(i), reports[i]);

@@ -61,6 +61,18 @@ TEST_P(Cone, brakes_by_mu_g_in_every_direction)
         }
 }
 
+TEST_P(Cone, stays_with_rolling_friction)
+{
+    for (int k = 0; k < 8; ++k) {
+        ConeSim sim(GetParam());
+        sim.surface.mode |= dContactRolling;
+        sim.surface.rho = real(1e-6);
+        const Braked got = brake(sim, 0.1 + k * kPi / 4.3, 1);
+        EXPECT_NEAR(got.least, kMu * kG, 0.01 * kMu * kG) << k;
+        EXPECT_LT(got.askew, 0.01) << k;
+    }
+}
+
 TEST_P(Cone, is_off_by_default_and_the_pyramid_brakes_more_across_its_edges)
 {
     Sim sim(GetParam());

@@ -32,7 +32,7 @@ struct Packed {
     Packed(const ContactKernels& kernels, Problem& problem, Friction friction)
         : system(problem.system()), set(kernels), velocities(system.bodies.size() + 1)
     {
-        system.cone = friction == Friction::kCone;
+        for (RowBlock& block : system.blocks) block.cone = friction == Friction::kCone;
         system.manifold_friction = friction == Friction::kManifold;
         const auto taken = arena.take<bool>(int(system.blocks.size()));
         EXPECT_TRUE(rows.gather(system, taken, arena));

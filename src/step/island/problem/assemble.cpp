@@ -119,6 +119,7 @@ void emit_rows(const StepInfo& info, std::span<Joint*> joints, bool begins, Isla
         block.contact = joint->type->number == dJointTypeContact;
         block.arms = out.arms(), block.form = out.form(), block.point = out.holds_point(),
         block.followed = false, block.coulomb = false;
+        block.cone = block.contact && info.cone;
         block.first_term = terms, block.term_count = int(out.terms().size());
         block.wrench = -1;
         if (block.term_count > 0) place_terms(out.terms(), work.system, block);
@@ -198,10 +199,10 @@ Real touching_depth(const World& world, Real h)
     return world.quick_iterations <= kFewSweeps ? kShare * length(world.gravity) * h * h : 0;
 }
 
-// A cone and a manifold's friction have no directions of their own.
+// A cone has no directions of its own.
 bool bounds_friction_along_slip(const World& world, const Solver& solver)
 {
-    return !world.acts_as_ode() && !world.friction_cone && !(world.manifold_friction && solver.cones);
+    return !world.acts_as_ode() && !world.friction_cone && !solver.cones;
 }
 
 }  // namespace
@@ -294,13 +295,13 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
     StepInfo info = step_info(world, h);
     if (solver.settling_factor > 1) info.contact_layer = std::max(info.contact_layer, island.kept_depth);
     info.touching_depth = touching_depth(world, h);  // only sweeps take manifolds
+    info.cone = world.friction_cone && solver.cones;
     info.friction_along_slip = bounds_friction_along_slip(world, solver);
-    info.friction_by_point = !solver.cones;  // sweeps pack what has the same directions
     write_manifolds(work.contacts, info, work.system.joint_contacts);
     emit_rows(info, joints, undo != nullptr, work, rows, blocks);
     work.joints = work.joints.first(std::size_t(blocks));
     place_manifolds(tasks, island);
-    if (as_rows) emit_manifolds(info, work, rows, blocks);
+    if (as_rows) emit_manifolds(info, solver.cones, work, rows, blocks);
     for (std::size_t i = 0; i < manifolds.size(); ++i) manifolds[i] = island.manifolds[i]->manifold;
     work.system.contact_manifolds = manifolds;
     work.system.blocks = work.system.blocks.first(std::size_t(blocks));

@@ -136,7 +136,7 @@ int manifold_row_count(const Island& island)
     return rows;
 }
 
-void emit_manifolds(const StepInfo& info, IslandWork& work, int& rows, int& blocks)
+void emit_manifolds(const StepInfo& info, bool cone, IslandWork& work, int& rows, int& blocks)
 {
     for (ManifoldEdge* edge : work.island.manifolds) {
         const ContactManifold& manifold = *edge->manifold;
@@ -144,8 +144,9 @@ void emit_manifolds(const StepInfo& info, IslandWork& work, int& rows, int& bloc
         for (int i = 0; i < manifold.count; ++i) {
             RowWriter out(&work.system.rows[std::size_t(rows)], info);
             write_point(out, work.island, manifold, manifold.points[i], friction.at(manifold.points[i]));
-            work.system.blocks[std::size_t(blocks++)] = {rows, out.count(), manifold.body1, manifold.body2,
-                                                         true, out.arms(),  out.form()};
+            RowBlock& block = work.system.blocks[std::size_t(blocks++)];
+            block = {rows, out.count(), manifold.body1, manifold.body2, true, out.arms(), out.form()};
+            block.cone = cone;
             rows += out.count();
         }
     }

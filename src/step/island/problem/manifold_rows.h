@@ -13,8 +13,9 @@ namespace epode {
 void place_manifolds(const Tasks& tasks, const Island& island);
 int manifold_row_count(const Island& island);
 int manifold_point_count(const Island& island);
-// Appends rows and blocks after the first `rows` and `blocks` of work.system, whose capacity suffices.
-void emit_manifolds(const StepInfo& info, IslandWork& work, int& rows, int& blocks);
+// Appends rows and blocks after the first `rows` and `blocks` of work.system, whose capacity suffices. `cone`:
+// friction is bounded by an ellipse, not by a box.
+void emit_manifolds(const StepInfo& info, bool cone, IslandWork& work, int& rows, int& blocks);
 // Numbers must hold the rows' own by now.
 void load_manifold_impulses(IslandWork& work, Real share);
 // `times`: what the impulses of the whole step are of those of the system's.

@@ -22,8 +22,7 @@ Vec3 push_of(const Body* body, Real h) { return body ? (h * body->inv_mass) * lo
 }  // namespace
 
 SlipFriction::SlipFriction(const StepInfo& info, const Island& island, const ContactManifold& manifold)
-    : info_(info),
-      manifold_(manifold),
+    : manifold_(manifold),
       body1_(body_of(island, manifold.body1)),
       body2_(body_of(island, manifold.body2)),
       n_(widen(manifold.normal)),
@@ -55,10 +54,8 @@ void SlipFriction::find_shared()
     constexpr Real kFirm = Real(0.3), kAlike = Real(0.2);
     if (slip + turning <= kFirm * mu_ * p * inv_mass_) return;
     const bool alike = turning <= kAlike * slip;
-    shares_ = alike || !info_.friction_by_point;
-    if (!shares_) return;
-    shared_ = along(r1, r2, share * p);
-    if (!alike) shared_.mu2 = mu_;
+    shares_ = alike;
+    if (alike) shared_ = along(r1, r2, share * p);
 }
 
 Vec3 SlipFriction::slip_at(Vec3 r1, Vec3 r2) const
@@ -75,7 +72,6 @@ Friction SlipFriction::along(Vec3 r1, Vec3 r2, Real p) const
     constexpr Real kStraight = Real(1e-6);  // of the velocity: less is rounding
     if (!(length2(direction) > kStraight * kStraight * length2(free)) || !normalize(direction)) return out;
     out.t[0] = direction, out.t[1] = cross(n_, direction);
-    // Piles with rolling friction come to rest a third later in QuickStep's sweeps with the lower limit.
     if (manifold_.rolling_friction > 0) return out;
     constexpr Real kReach = 8;
     const Real dv = kReach * mu_ * p * inv_mass_, speed = length(tangential(u));

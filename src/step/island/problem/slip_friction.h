@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// How the friction of a manifold is bounded where it is by two limits instead of a cone: along the slip s and
+// How the friction of a manifold is bounded in dWorldStep, by two limits instead of a cone: along the slip s and
 // across it. Between two fixed directions it would be up to sqrt(2) times as large as along them. Along s what slides is
 // braked by Coulomb's mu N, straight on, in every direction, and what is pushed gives way at mu N. Across s, Coulomb's
 // friction is mu N times the sine of the angle by which s turns during the step: at most dv/|s|,
 //   dv = a few times mu p (1/m1 + 1/m2),   p: normal impulse of the last step,
 // being what friction can change in a step (a few times, because bodies also turn). What sticks has both limits.
 //   Points share their directions as long as their slips are alike, and have fixed ones while what pushes is far
-// from moving them: sweeps pack together what has the same directions (without that, QuickStep took 12 % more for a pile
-// that tumbles), and solvers start from the last step's impulses.
+// from moving them: solvers start from the last step's impulses.
 #pragma once
 
 #include "dynamics/island.h"
@@ -40,7 +39,6 @@ class SlipFriction {
     Vec3 slip_at(Vec3 r1, Vec3 r2) const;
     Vec3 tangential(Vec3 u) const { return u - dot(n_, u) * n_; }
 
-    const StepInfo& info_;
     const ContactManifold& manifold_;
     const Body *body1_, *body2_;
     Vec3 n_, pushed_;  // what forces on the bodies change in the step
