@@ -50,7 +50,7 @@ TEST_F(ManifoldPoints, are_fixed_in_both_frames_and_missing_ones_repeat_the_last
         find(count, A.p, {0, 0, 1});
         ASSERT_EQ(maker.count(0), count);
         ContactAnchors anchors;
-        fix_points(maker, 0, A, B, anchors);
+        fix_points(maker, 0, A, B, Anchors::kTogether, anchors);
         Real largest = 0;
         for (int i = 0; i < kManifoldPoints; ++i) {
             const dContactGeom& c = contacts[std::min(i, count - 1)];
@@ -75,7 +75,7 @@ TEST_F(ManifoldPoints, follow_both_geoms)
         was.found.normal = narrow(A.R.column(trial % 3));
         const Mat3 turn = transpose(A.R) * B.R;
         for (int i = 0; i < 3; ++i) was.found.turn[i] = narrow(turn.row(i));
-        fix_points(maker, 0, A, B, was.found.anchors);
+        fix_points(maker, 0, A, B, Anchors::kTogether, was.found.anchors);
         for (int i = 0; i < count; ++i) was.manifold.points[i].normal_impulse = float(i + 1);
         now = was;
 

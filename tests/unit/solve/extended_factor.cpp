@@ -56,7 +56,7 @@ TEST(ExtendedFactor, SolvesWhatLongLeverArmsMakeSingularInDoubles)
         Arena arena;
         ExactProblem problem;
         const RowSystem system = p.system();
-        ASSERT_TRUE(problem.build(system, arena));
+        ASSERT_TRUE(problem.build(system, nullptr, arena));
         const std::size_t m = p.rows.size();
         std::vector<double> impulse(m, 0), low(m, 0), free(m, 1);
         for (std::size_t i = 0; i < m; i += 5) free[i] = 0;

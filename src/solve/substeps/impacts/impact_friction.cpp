@@ -26,7 +26,7 @@ void bound(Real (&p)[2], const Real (&hi)[2], bool cone)
 void ImpactFriction::add(const RowBlock& block, int index, Real normal_impulse)
 {
     Pair pair;
-    pair.body1 = block.body1, pair.body2 = block.body2, pair.block = index, pair.cone = system_.cone;
+    pair.body1 = block.body1, pair.body2 = block.body2, pair.block = index, pair.cone = block.cone;
     int found = 0;
     for (int i = block.first + 1; i < block.first + block.count && found < 2; ++i) {
         const RowNumbers& n = system_.numbers[std::size_t(i)];
