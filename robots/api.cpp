@@ -438,6 +438,14 @@ int dRobotSetControl(dRobotID robot, int actuator, dReal control)
     return 1;
 }
 
+dReal dRobotGetControl(dRobotID robot, int actuator)
+{
+    robot = alive(robot);
+    CHECK(robot && actuator >= 0 && actuator < int(robot->robot->model().actuators.size()),
+          "a robot and the number of an actuator");
+    return dReal(robot->robot->control(actuator));
+}
+
 int dRobotSetTarget(dRobotID robot, int joint, dReal target, dReal stiffness, dReal damping)
 {
     robot = alive(robot);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The C functions of tendons and of what acts from step to step.
+// The C functions of tendons, of what acts from step to step, and of a robot's state.
 #include "robots/api.h"
 #include "robots/kinematics.h"
 #include "robots/tendon.h"
@@ -62,4 +62,24 @@ dReal dRobotGetActivation(dRobotID robot, int actuator)
     robot = alive(robot);
     CHECK(has_actuator(robot, actuator), "a robot and the number of an actuator");
     return dReal(robot->robot->activation(actuator));
+}
+
+int dRobotGetState(dRobotID robot, dReal* numbers, int capacity)
+{
+    robot = alive(robot);
+    CHECK(robot && capacity >= 0 && (numbers || capacity == 0),
+          "a robot, a capacity of 0 or more, and an array unless it is 0");
+    return guarded(__func__, [&] { return copy_positions(robot->robot->state(), numbers, capacity); });
+}
+
+int dRobotSetState(dRobotID robot, const dReal* numbers, int count)
+{
+    constexpr const char* kWanted = "a robot, and the numbers that dRobotGetState returns for its model";
+    robot = alive(robot);
+    CHECK(robot && count > 0 && numbers && are_usable(numbers, count), kWanted);
+    return guarded(__func__, [&] {
+        if (!check(robot->robot->set_state(doubles_of(numbers, count)), "dRobotSetState", kWanted)) return 0;
+        robot->sensors->begin();
+        return 1;
+    });
 }

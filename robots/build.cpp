@@ -85,8 +85,8 @@ Robot::Robot(std::shared_ptr<const Prepared> prepared, dWorldID world, dSpaceID 
     for (size_t i = 0; i < model().links.size(); ++i)
         for (const Shape& shape : model().links[i].shapes) make_shape(space, int(i), shape);
     make_couplings(world);
-    for (size_t i = 0; i < model().joints.size(); ++i) set_joint_drive(int(i));
-    for (size_t i = 0; i < model().tendons.size(); ++i) set_tendon_drive(int(i));
+    make_drives();
+    set_drives();
     if (!positions.empty()) set_positions(positions);
 }
 

@@ -112,6 +112,10 @@ class Robot {
     // What is between control and force; 0 of an actuator without a filter.
     double activation(int actuator) const { return activations_[size_t(actuator)]; }
     void set_activation(int actuator, double value);
+    // Controls, activations and servos: what acts next to the world's state (state.cpp).
+    std::vector<double> state() const;
+    // False: numbers that state() does not return; nothing changes.
+    bool set_state(const std::vector<double>& numbers);
     // Before its gear, at the present positions and velocities; and what all of them exert along a joint with one axis.
     double actuator_force(int actuator) const;
     double actuators_force(int joint) const;
@@ -156,6 +160,10 @@ class Robot {
     Vec velocity_at(int link, Vec point) const;
     std::vector<Pose> link_poses() const;  // in the world
     void set_drive_of(const Actuator& actuator);
+    void make_drives();
+    bool can_be_control(size_t actuator, double value) const;
+    bool is_state(const std::vector<double>& numbers) const;
+    void set_drives();
     void set_drive(const Passive& passive, const Servo& servo, double limit, int joint, int tendon);
     void set_joint_drive(int joint);
     void set_tendon_drive(int tendon);

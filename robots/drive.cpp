@@ -175,6 +175,12 @@ void Robot::set_joint_drive(int number)
               servo, limit, number, -1);
 }
 
+void Robot::set_drives()
+{
+    for (size_t i = 0; i < model().joints.size(); ++i) set_joint_drive(int(i));
+    for (size_t i = 0; i < model().tendons.size(); ++i) set_tendon_drive(int(i));
+}
+
 void Robot::set_tendon_drive(int number)
 {
     const Tendon& tendon = model().tendons[size_t(number)];

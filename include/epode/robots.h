@@ -319,11 +319,13 @@ ODE_API int dRobotGetVelocities(dRobotID robot, dReal* velocities, int capacity)
 
 /** - dRobotSetControl: Sets the control of an actuator, by its number in the model, clamped to its range.
       Returns 1. Refused: no such actuator.
+    - dRobotGetControl: Returns it, 0 at first. Refused: no such actuator.
     - dRobotSetTarget: Lets a hinge or slider be pulled to the target, m or rad, by a spring of stiffness and
       a damper of damping, at most the joint's max_force, next to the model's own springs and dampers;
       both 0: no longer. Returns 1, or 0 when refused: negative numbers; a number that no hinge or slider
       has. [ours] */
 ODE_API int dRobotSetControl(dRobotID robot, int actuator, dReal control);
+ODE_API dReal dRobotGetControl(dRobotID robot, int actuator);
 ODE_API int dRobotSetTarget(dRobotID robot, int joint, dReal target, dReal stiffness, dReal damping);
 
 /** Adds what the medium of the file exerts to what acts on the robot's bodies until the next step: call it before
@@ -340,14 +342,22 @@ ODE_API int dRobotAddFluidForces(dRobotID robot, dReal stepsize);
     it acts on. Refused: a stepsize that is not above 0. [ours] */
 ODE_API int dRobotAddForces(dRobotID robot, dReal stepsize);
 
-/** What the force of a filtered actuator follows instead of what dRobotSetControl has set; 0 at first. It is no part of
-    a world's state: save and set it with that.
+/** What the force of a filtered actuator follows instead of what dRobotSetControl has set; 0 at first.
     - dRobotSetActivation: Sets it to activation, within its range; nothing changes of an actuator without a filter.
       Returns 1.
     - dRobotGetActivation: Returns it, 0 of an actuator without a filter.
     Refused: no such actuator. [ours] */
 ODE_API int dRobotSetActivation(dRobotID robot, int actuator, dReal activation);
 ODE_API dReal dRobotGetActivation(dRobotID robot, int actuator);
+
+/** What a robot has in addition to its world's state (dWorldGetState): controls, activations and targets. Save both,
+    and set this after dWorldSetState; then the robot goes on with the same bits.
+    - dRobotGetState: Copies up to capacity numbers (0 to ask how many there are, numbers may then be null). Returns
+      how many there are, as many for all robots of a model. Refused: a negative capacity.
+    - dRobotSetState: Sets them, and lets sensors begin again. Returns 1. Refused: another count; numbers that no robot
+      of this model has returned. [ours] */
+ODE_API int dRobotGetState(dRobotID robot, dReal* numbers, int capacity);
+ODE_API int dRobotSetState(dRobotID robot, const dReal* numbers, int count);
 
 #ifdef __cplusplus
 }

@@ -10,6 +10,8 @@ from .geom import Geom
 from .joint import Joint
 
 if typing.TYPE_CHECKING:
+    from ._handle import FloatArray
+    from .robot import Robot
     from .world import World
 
 
@@ -42,6 +44,12 @@ class Structure:
                 world._geoms[one._key] = one
         for body, riders in zip(world._bodies.values(), self.riders):
             body.geoms = list(riders)
+
+
+class Past(typing.NamedTuple):
+    """What there was after a step: objects, and the numbers of robots (``_robot_states``)."""
+    structure: Structure
+    robots: list[tuple[Robot, FloatArray]]
 
 
 class Description:

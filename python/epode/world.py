@@ -16,7 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _c, c
 from ._handle import FloatArray, Object, Value, flag, reads_and_sets
-from ._structure import Description, Structure
+from ._robot_states import joined, numbers_of, set_numbers, split
+from ._structure import Description, Past, Structure
 from .body import Bodies, Body
 from .enums import Behaviour, CauseKind, Severity
 from .errors import RefusedError
@@ -77,7 +78,7 @@ class World(Object):
     _geoms: dict[int, Geom]
     _space: c.dSpaceID
     _body_list: c.BodyList | None
-    _past: collections.deque[Structure] | None  # after the steps that can be taken back
+    _past: collections.deque[Past] | None  # after the steps that can be taken back
     stepper: str  # of step()
     _edition: int  # grows when something is made or destroyed
     _recording: Recording | None
@@ -479,12 +480,15 @@ class World(Object):
     # ---- states ----
 
     def save(self) -> bytes:
-        """The state, as bytes: a world of the same structure goes on from it with the same bits."""
-        return c.dWorldGetState(self._handle)
+        """The state, as bytes: a world of the same structure goes on from it with the same bits. Controls, activations and
+        targets of its robots are part of it."""
+        return joined(c.dWorldGetState(self._handle), self._robots)
 
     def load(self, state: bytes) -> None:
-        """Give the world a state that ``save`` has returned."""
-        c.dWorldSetState(self._handle, bytes(state))
+        """Give the world, and the robots in it, a state that ``save`` has returned."""
+        of_world, of_robots = split(bytes(state), self._robots)
+        c.dWorldSetState(self._handle, of_world)
+        set_numbers(of_robots)
 
     def save_file(self, path: str | os.PathLike[str]) -> None:
         """Write the whole world to a file, which the command runs: ``python -m epode run FILE``."""
@@ -521,7 +525,7 @@ class World(Object):
         world = cls.__new__(cls)
         world._live, world._space, world._group = handle, space, c.dJointGroupCreate(0)
         world._bodies, world._joints, world._geoms, world._body_list, world._past, world._recording = {}, {}, {}, None, None, None
-        world._edition, world.bodies, world.stepper = 0, Bodies(world), "exact"
+        world._edition, world.bodies, world.stepper, world._robots = 0, Bodies(world), "exact", []
         return world
 
     def _adopt(self, like: World | Description, bodies: list[c.dBodyID], joints: list[c.dJointID], geoms: list[c.dGeomID]) -> None:
@@ -551,7 +555,7 @@ class World(Object):
     @history.setter
     def history(self, steps: int) -> None:
         c.dWorldSetHistory(self._handle, steps)
-        self._past = collections.deque([Structure(self)], steps + 1) if steps else None
+        self._past = collections.deque([self._now()], steps + 1) if steps else None
 
     @property
     def history_steps(self) -> int:
@@ -566,21 +570,27 @@ class World(Object):
         assert past is not None  # or the library has refused
         for _ in range(steps):
             past.pop()
-        past[-1].restore(self)
+        past[-1].structure.restore(self)
+        set_numbers(past[-1].robots)
+
+    def _now(self, structure: Structure | None = None) -> Past:
+        return Past(Structure(self) if structure is None else structure, numbers_of(self._robots))
 
     def _remember(self, steps: int) -> None:
         """Note what there is after some steps of a world that has a history."""
         assert self._past is not None
-        last = self._past[-1]
-        self._past.extend([last if last.edition == self._edition else Structure(self)] * steps)
+        last = self._past[-1].structure
+        self._past.extend([self._now(last if last.edition == self._edition else None)] * steps)
 
     def save_changes(self, base: bytes) -> bytes:
         """What has changed since the state base, as bytes; what sleeps costs next to nothing."""
-        return c.dWorldGetStateDelta(self._handle, bytes(base))
+        return joined(c.dWorldGetStateDelta(self._handle, split(bytes(base), self._robots)[0]), self._robots)
 
     def load_changes(self, base: bytes, changes: bytes) -> None:
         """Give the world the state that base and changes make up."""
-        c.dWorldSetStateDelta(self._handle, bytes(base), bytes(changes))
+        of_world, of_robots = split(bytes(changes), self._robots)
+        c.dWorldSetStateDelta(self._handle, split(bytes(base), self._robots)[0], of_world)
+        set_numbers(of_robots)
 
 
 def defaults_text(preset: str) -> str:

@@ -76,6 +76,17 @@ void set_activation(Built& robot, int actuator, double value)
     call.done();
 }
 
+void set_state(Built& robot, nb::object from)
+{
+    const Reals numbers = read(from, robot.robot->state().size(), "robot's numbers");
+    Call call;
+    call.uses(robot.robot->body(int(robot.model().links.size()) - 1));
+    const bool fits = robot.robot->set_state(numbers);
+    if (fits) robot.sensors->begin();
+    call.done();
+    if (!fits) throw nb::value_error("these are not the numbers of a robot of this model");
+}
+
 void set_target(Built& robot, int joint, double target, double stiffness, double damping)
 {
     if (joint < 0 || joint >= int(robot.model().joints.size()) ||
@@ -296,6 +307,8 @@ void bind_robots(nb::module_& m)
         .def("add_forces", add_forces)
         .def("activation", [](const Built& s, int actuator) { return s.robot->activation(actuator); })
         .def("set_activation", set_activation)
+        .def("state", [](const Built& s) { return row(s.robot->state()); })
+        .def("set_state", set_state)
         .def("update_sensors", update)
         .def("drive_forces", [](const Built& s) { return row(s.sensors->drive_forces()); })
         .def("imu", imu)

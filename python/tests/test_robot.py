@@ -299,3 +299,74 @@ def test_bad_arguments_are_named(arm):
 def test_the_examples_in_the_texts_hold():
     import doctest
     assert doctest.testmod(epode.robot).failed == 0
+
+
+MOTOR = """<mujoco><option gravity='0 0 0'/><worldbody><body><joint name='j' {}/><geom type='capsule' fromto='0 0 0 0 0 1' size='.02'/>
+<body pos='0 0 1'><joint name='k' axis='0 1 0'/><geom size='.1'/></body></body></worldbody><actuator><motor joint='j'/></actuator></mujoco>"""
+
+
+@pytest.mark.parametrize("joint", ["axis='0 1 0'", "type='slide' axis='1 0 0'", "type='slide' axis='1 0 0' range='-1 1'"])
+@pytest.mark.parametrize("defaults", ["ode", "game", "robot"])
+def test_states_have_the_controls_and_targets_of_robots(joint, defaults):
+    model = epode.robot.from_text(MOTOR.format(joint))
+    for before, after in ((None, 1.0), (0.0, 1.0), (1.0, 0.0), (1.0, 2.0)):
+        robot = model.build(epode.World(gravity=model.gravity, defaults=defaults))
+        world = robot.world
+        if before is not None:
+            robot.controls = [before]
+        state = world.save()
+        world.step(0.01, steps=5)
+        expected = robot.velocities
+        robot.controls = [after]
+        robot.target("k", 1.0, stiffness=10, damping=1)
+        world.step(0.01)
+        world.load(state)
+        assert robot.controls.tolist() == [before or 0.0]
+        world.step(0.01, steps=5)
+        assert robot.velocities.tolist() == expected.tolist()
+        base = world.save()
+        robot.controls = [3.0]
+        changes = world.save_changes(base)
+        world.load(base)
+        assert robot.controls.tolist() == [before or 0.0]
+        world.load_changes(base, changes)
+        assert robot.controls.tolist() == [3.0]
+
+
+def test_steps_taken_back_take_controls_back():
+    robot = epode.robot.from_text(MOTOR.format("axis='0 1 0'")).build()
+    world = robot.world
+    world.history = 10
+    robot.controls = [1.0]
+    world.step(0.01)
+    robot.controls = [2.0]
+    world.step(0.01)
+    world.roll_back(1)
+    assert robot.controls.tolist() == [1.0]
+    world.roll_back(1)
+    assert robot.controls.tolist() == [0.0]
+
+
+def test_states_of_other_robots_are_refused_and_those_without_leave_controls():
+    model = epode.robot.from_text(MOTOR.format("axis='0 1 0'"))
+    robot = model.build()
+    robot.controls = [1.0]
+    state = robot.world.save()
+    model.build(robot.world, position=(5, 0, 0))
+    with pytest.raises(epode.RefusedError, match="1 robots"):
+        robot.world.load(state)
+    for damaged in (state[:-20] + state[-12:], state[:-12] + b"\xff\xff\xff\xff" + state[-8:], b"EPROBOTS"):
+        with pytest.raises(epode.RefusedError):
+            robot.world.load(damaged)
+    assert robot.controls.tolist() == [1.0]
+    of_library = epode.c.dWorldGetState(robot.world._handle)
+    robot.controls = [0.5]
+    robot.world.load(of_library)
+    assert robot.controls.tolist() == [0.5]
+
+
+def test_a_clone_of_a_world_with_robots_can_be_destroyed_and_saved():
+    robot = epode.robot.from_text(MOTOR.format("axis='0 1 0'")).build()
+    twin = robot.world.clone()
+    assert twin.save() == epode.c.dWorldGetState(robot.world._handle)
+    twin.destroy()

@@ -28,6 +28,7 @@ NAMES = {
     "dRobotModelGetInverseDynamics": "robot.Model.inverse_dynamics", "dRobotTargetInit": "robot.Target",
     "dRobotModelGetFluidForces": "robot.Model.fluid_forces", "dRobotAddFluidForces": "robot.Robot.add_fluid_forces",
     "dRobotAddForces": "robot.Robot.add_forces", "dRobotGetActivation": "robot.Robot.activations",
+    "dRobotGetControl": "robot.Robot.controls", "dRobotGetState": "epode.World.save", "dRobotSetState": "epode.World.load",
     "dRobotSetActivation": "robot.Robot.activations", "dRobotModelFindTendon": "robot.Model.tendon_names",
     "dRobotModelGetTendons": "robot.Model.tendons",
     "dRobotInverseOptionsInit": "robot.Model.ik", "dRobotModelGetInverse": "robot.Model.ik",
