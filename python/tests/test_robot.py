@@ -3,6 +3,7 @@
 """Robots from files as a user of Python meets them."""
 import gc
 import pathlib
+import warnings
 
 import numpy as np
 import pytest
@@ -370,3 +371,17 @@ def test_a_clone_of_a_world_with_robots_can_be_destroyed_and_saved():
     twin = robot.world.clone()
     assert twin.save() == epode.c.dWorldGetState(robot.world._handle)
     twin.destroy()
+
+
+def test_a_controller_that_diverges_warns_once_and_steps_go_on():
+    robot = epode.robot.from_text("""<mujoco><worldbody><body><joint name='j' axis='0 1 0'/><geom type='capsule' fromto='0 0 0 0 0 1'
+        size='.02'/></body></worldbody><actuator><motor joint='j'/></actuator></mujoco>""").build()
+    robot.velocities = [0.1]
+    warned = []
+    for step in range(60):
+        with warnings.catch_warnings(record=True) as seen:
+            warnings.simplefilter("always")
+            robot.controls = -3000 * robot.velocities
+            robot.world.step(0.002)
+        warned += [(step, str(one.message)) for one in seen]
+    assert len(warned) == 1 and "body 0 (of" in warned[0][1] and np.abs(robot.velocities).max() > 1e20

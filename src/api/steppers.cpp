@@ -26,6 +26,7 @@ int dWorldStepHybrid(dWorldID w, dReal stepsize)
     EPODE_USER(world && usable(stepsize) && stepsize > 0, 0);
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
     EPODE_USER_SAY(step_world_hybrid(*world, stepsize), kOutOfMemory, 0);
+    report_runaways(*world);
     return 1;
 }
 
@@ -41,15 +42,20 @@ int dWorldsStep(const dWorldID* worlds, int count, dReal stepsize, int stepper, 
         EPODE_USER(world, 0);
         EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
     }
-    WorldBatch batch;
-    for (int i = 0; i < count; ++i) {
-        World& world = *from_handle<World>(worlds[i]);
-        EPODE_USER_SAY(!world.stepping, "a world twice", 0);
-        EPODE_USER_SAY(batch.add(world), kOutOfMemory, 0);
+    int whole = 0;
+    {
+        WorldBatch batch;
+        for (int i = 0; i < count; ++i) {
+            World& world = *from_handle<World>(worlds[i]);
+            EPODE_USER_SAY(!world.stepping, "a world twice", 0);
+            EPODE_USER_SAY(batch.add(world), kOutOfMemory, 0);
+        }
+        EPODE_USER_SAY(batch.prepare(threads), kOutOfMemory, 0);
+        whole = batch.run({solver, stepsize, iterations}, steps, steps_made);
     }
-    EPODE_USER_SAY(batch.prepare(threads), kOutOfMemory, 0);
-    const int whole = batch.run({solver, stepsize, iterations}, steps, steps_made);
     EPODE_USER_SAY(whole == count, kOutOfMemory, whole);
+    for (int i = 0; i < count; ++i)  // an earlier message's handler may have destroyed it
+        if (World* world = from_handle<World>(worlds[i])) report_runaways(*world);
     return whole;
 }
 

@@ -194,6 +194,7 @@ int dWorldStep(dWorldID w, dReal stepsize)
     EPODE_USER(usable(stepsize) && stepsize > 0, 0);
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
     EPODE_USER_SAY(step_world(*world, kDirect, stepsize, 0), kOutOfMemory, 0);
+    report_runaways(*world);
     return 1;
 }
 
@@ -203,6 +204,7 @@ int dWorldQuickStep(dWorldID w, dReal stepsize)
     EPODE_USER(usable(stepsize) && stepsize > 0, 0);
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
     EPODE_USER_SAY(step_world(*world, kQuick, stepsize, world->quick_iterations), kOutOfMemory, 0);
+    report_runaways(*world);
     return 1;
 }
 
@@ -212,6 +214,7 @@ int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations)
     EPODE_USER(usable(stepsize) && stepsize > 0 && maxiterations >= 1 && maxiterations <= kMaxSubsteps, 0);
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
     EPODE_USER_SAY(step_world(*world, kTgs, stepsize, maxiterations), kOutOfMemory, 0);
+    report_runaways(*world);
     return 1;
 }
 

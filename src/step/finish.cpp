@@ -25,15 +25,6 @@ void call_moved_callback(Body& body)
     body.moved(to_handle(&body));
 }
 
-void empty(Body& body)
-{
-    damp(body);
-    store(body.facc, {});
-    store(body.tacc, {});
-    body.had_manifolds = body.manifolds != nullptr;
-    body.manifolds = nullptr;
-}
-
 }  // namespace
 
 bool Finish::begin(std::span<Body* const> bodies, bool early, Arena& arena)
@@ -87,6 +78,16 @@ bool Finish::mark_geoms(Body& body) const
 bool Finish::moves_geoms(const Body& body) const
 {
     return !continuous_.marked() || continuous_.stopped(body);
+}
+
+void Finish::empty(Body& body) const
+{
+    runaways_.check(body);
+    damp(body);
+    store(body.facc, {});
+    store(body.tacc, {});
+    body.had_manifolds = body.manifolds != nullptr;
+    body.manifolds = nullptr;
 }
 
 void Finish::one(Body& body) const

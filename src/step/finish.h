@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Finishes every body that took part in a step: marks its geoms as moved, calls its callback, applies damping
-// and clears its accumulators. For most bodies the worker that has them in its cache does this as soon as
+// Finishes every body that took part in a step: marks its geoms as moved, calls its callback, looks at its speed, applies
+// damping and clears its accumulators. For most bodies the worker that has them in its cache does this as soon as
 // their islands are solved. Left to the end, in the order of the islands on the caller's thread, are bodies
 // with a callback, those whose geoms share lists with others, and all bodies if continuous collision needs
 // their motion when all have moved (step/common/continuous).
@@ -12,6 +12,7 @@
 
 #include "base/arena.h"
 #include "step/common/continuous.h"
+#include "step/common/runaway.h"
 #include "tasks/tasks.h"
 
 namespace epode {
@@ -21,8 +22,11 @@ struct Space;
 class Finish {
   public:
     // `contact_space`: the space of the world-managed contacts, or null.
-    Finish(const Continuous& continuous, Space* contact_space, const Tasks& tasks)
-        : continuous_(continuous), contact_space_(contact_space), alone_(tasks.workers() == 1)
+    Finish(const Continuous& continuous, Space* contact_space, Runaways& runaways, const Tasks& tasks)
+        : continuous_(continuous),
+          contact_space_(contact_space),
+          runaways_(runaways),
+          alone_(tasks.workers() == 1)
     {}
 
     // `bodies`: of all islands; `early`: nobody needs their motion later. False: out of memory.
@@ -39,11 +43,13 @@ class Finish {
     bool mark_geoms(Body& body) const;
     bool moves_geoms(const Body& body) const;
     void one(Body& body) const;
+    void empty(Body& body) const;
     void report_marked() const;
     [[nodiscard]] bool list_marked() const;
 
     const Continuous& continuous_;
     Space* const contact_space_;
+    Runaways& runaways_;
     const bool alone_;
     bool early_ = false;
     std::span<Body* const> bodies_;

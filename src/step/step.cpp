@@ -89,7 +89,7 @@ class WorldStep {
           workers_(workers),
           undo_(context.undo),
           continuous_(context.world, undo_, state.continuous, memory_.arena(0), context.h),
-          finish_(continuous_, state.world_contacts.live_space(), workers.of_islands)
+          finish_(continuous_, state.world_contacts.live_space(), state.runaways, workers.of_islands)
     {}
 
     std::span<const Island> islands() const { return islands_; }
@@ -376,6 +376,7 @@ class WorldStep {
                 .contacts = c.contacts,
                 .symbolic_cache = c.symbolic_cache,
                 .undo = c.undo,
+                .runaways = c.runaways,
                 .manages_contacts = c.manages_contacts,
                 .methods = methods_};
     }
@@ -451,6 +452,7 @@ bool step_in(World& world, StepState& state, StepMemory& memory, const Solver* s
                               .contacts = state.contacts,
                               .symbolic_cache = state.symbolic_cache,
                               .undo = undo,
+                              .runaways = state.runaways,
                               .manages_contacts = state.world_contacts.live_space() != nullptr,
                               .methods = {}};
     WorldStep step(context, !solver, state, memory, workers);
@@ -467,6 +469,7 @@ bool step_in(World& world, StepState& state, StepMemory& memory, const Solver* s
         if (world.report_wanted) world.report = sum_of(state.reports.span());
     } else {
         step.take_back();
+        state.runaways.take_back();
         if (context.solver.draws) ProcessRandom::set_state(random);
         forget_loads(world);
     }
@@ -517,6 +520,11 @@ bool step_world(World& world, const Solver& solver, Real h, int iterations, Step
 bool step_world_hybrid(World& world, Real h, StepMemory* lent)
 {
     return step_with(world, nullptr, h, 0, lent);
+}
+
+void report_runaways(World& world)
+{
+    if (world.step_state) world.step_state->runaways.report(world);
 }
 
 std::span<const dIslandStepReport> island_reports(const World& world)

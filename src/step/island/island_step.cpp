@@ -161,6 +161,7 @@ class IslandStep {
     {
         has_exact_substeps() ? exact_substeps_.undo() : context_.undo.restore_poses(work_.island.bodies);
         contain(work_.island.bodies, work_.joints);
+        context_.runaways.add(*work_.island.bodies.front());
         if (ledger_.wanted()) ledger_.forget();
         for (ManifoldEdge* edge : work_.island.manifolds) clear_impulses(*edge->manifold);
         advance_poses(world_, work_, context_.h);
@@ -293,6 +294,7 @@ class IslandStep {
         RowSystem& system = work_.system;
         const SystemPart from = system.begin_of(part), to = system.end_of(part);
         contain(slice(work_.island.bodies, from.bodies, to.bodies), {});
+        context_.runaways.add(*work_.island.bodies[std::size_t(from.bodies)]);
         for (auto i = std::size_t(from.bodies); i < std::size_t(to.bodies); ++i)
             load_velocity(*work_.island.bodies[i], system.bodies[i]);
         for (const RowBlock& block : slice(system.blocks, from.blocks, to.blocks))

@@ -11,6 +11,7 @@
 #include "solve/solver.h"
 #include "step/common/contact_cache.h"
 #include "step/common/island_method.h"
+#include "step/common/runaway.h"
 #include "step/common/undo.h"
 
 namespace epode {
@@ -23,6 +24,7 @@ struct StepContext {
     ContactCache& contacts;
     SymbolicCache& symbolic_cache;
     StepUndo& undo;
+    Runaways& runaways;
     bool manages_contacts;            // the world has world-managed contacts
     std::span<IslandMethod> methods;  // by island; empty: all have this solver, and nothing is noted
 };
