@@ -199,7 +199,7 @@ ODE_API dReal dWorldGetQuickStepW(dWorldID world);
     [dWorldSetContactMaxCorrectingVel] NaN. Nothing changes then, and getters answer 0. */
 
 /** - dWorldSetContactMaxCorrectingVel: Set the greatest velocity vel, m/s, that a contact may use to undo
-      penetration; default dInfinity, which is allowed. It does not limit bouncing.
+      penetration, and, if finite, to move joints back from beyond stops; default dInfinity. Bouncing is free.
     - dWorldGetContactMaxCorrectingVel: The greatest velocity that a contact may use to undo penetration,
       m/s; dInfinity at first. [0.16] */
 ODE_API void dWorldSetContactMaxCorrectingVel(dWorldID world, dReal vel);

@@ -14,6 +14,7 @@
 #include "step/island/exact_substeps.h"
 #include "step/island/free_flight.h"
 #include "step/island/positions/shake.h"
+#include "step/island/positions/stops.h"
 #include "step/island/positions/tension.h"
 #include "step/island/problem/assemble.h"
 #include "step/island/problem/joint_memory.h"
@@ -78,7 +79,10 @@ class IslandStep {
         for (std::size_t i = 0; i < reports.size(); ++i) report_errors(work_, int(i), reports[i]);
         if (watches_strain() && !strain_.begin(world_, work_, arena_)) return false;
         raise_inertias(reports);
-        if (projects()) leave_depth_to_projection(work_.system);
+        if (projects())
+            leave_depth_to_projection(work_.system);
+        else if (!context_.solver.substeps && !has_exact_substeps())
+            closes_stops_ = leave_stops_to_poses(world_, work_.system);
         SolverSettings settings;
         settings.iterations = iterations();
         settings.swept_iterations = context_.iterations;
@@ -152,6 +156,7 @@ class IslandStep {
                 advance_and_project(tasks);
             else
                 advance_poses(world_, work_, context_.h);
+            if (closes_stops_) bring_back_from_stops(tasks);
         }
         for (dIslandStepReport& report : reports)
             if (projects()) report_projection(projected_, report);
@@ -231,6 +236,13 @@ class IslandStep {
             write_joints_again(work_);
         if (ledger_.wanted()) ledger_.begin_correction();
         projected_ = project_poses(world_, work_, tasks, cache, arena_);
+        if (ledger_.wanted()) ledger_.end_correction();
+    }
+
+    void bring_back_from_stops(const Tasks& tasks)
+    {
+        if (ledger_.wanted()) ledger_.begin_correction();
+        close_stops(world_, work_, context_.solver, tasks, arena_);
         if (ledger_.wanted()) ledger_.end_correction();
     }
 
@@ -408,6 +420,7 @@ class IslandStep {
     int factorisations_ = 0;
     int substeps_ = 1;  // if the solver has any
     ProjectionReport projected_;
+    bool closes_stops_ = false;
     int raised_ = 0;  // bodies whose inertia is
     std::span<SolverBody> plain_;
 };

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "step/island/positions/stops.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/integrate.h"
+#include "rows/policy.h"
+#include "step/island/positions/position_rows.h"
+
+namespace epode {
+namespace {
+
+constexpr Real kSlow = kSingle ? Real(1e-4) : Real(1e-5);      // m/s or rad/s
+constexpr Real kSoftness = kSingle ? Real(1e-6) : Real(1e-9);  // of the inverse mass, for redundant rows
+constexpr Real kLargestTurn = 1;                               // rad
+
+bool is_motor(const Row& row) { return row.kind == RowKind::kLimit && row.lo != 0 && row.hi != 0; }
+
+// The displacement that a row asks for; 0 of one that has only to hold.
+Real closing(const World& world, const Row& row, Real h)
+{
+    const bool stop = row.kind == RowKind::kLimit;
+    const bool beyond = (row.lo == 0 && row.error > 0) || (row.hi == 0 && row.error < 0);
+    if (!stop || !beyond || row.given) return 0;
+    const Real share = row.erp * row.error, limit = std::max(world.contact_max_vel, Real(0)) * h;
+    return std::fabs(share) > kSlow * h ? std::clamp(share, -limit, limit) : 0;
+}
+
+class StopSystem {
+  public:
+    StopSystem(const World& world, const IslandWork& work, Arena& arena)
+        : world_(world), work_(work), arena_(arena)
+    {}
+
+    // False: out of memory.
+    bool prepare()
+    {
+        const RowSystem& from = work_.system;
+        system_.rows = arena_.take<Row>(int(from.rows.size()));
+        system_.numbers = arena_.take<RowNumbers>(int(from.rows.size()));
+        system_.blocks = arena_.take<RowBlock>(int(from.blocks.size()));
+        system_.bodies = arena_.take<SolverBody>(int(from.bodies.size()));
+        system_.terms = from.terms;
+        system_.h = 1;
+        if (arena_.failed()) return false;
+        std::copy(from.bodies.begin(), from.bodies.end(), system_.bodies.begin());
+        for (SolverBody& body : system_.bodies) body.v = body.w = {};
+        choose_rows();
+        return true;
+    }
+
+    bool solve(const Solver& solver, const Tasks& tasks)
+    {
+        SolverSettings settings;
+        settings.tasks = tasks;
+        settings.iterations = world_.quick_iterations;
+        settings.w = world_.quick_w;
+        SolveReport report;
+        return solver.solve(system_, settings, arena_, report);
+    }
+
+    // A body that is moved is not idle, whatever its velocity.
+    void move() const
+    {
+        const Real share = largest_share();
+        for (std::size_t i = 0; i < system_.bodies.size(); ++i) {
+            Body& body = *work_.island.bodies[i];
+            const SolverBody& s = system_.bodies[i];
+            if (body.kinematic() || !(share > 0)) continue;
+            store(body.pos, body.position() + share * s.v);
+            Quat q = turn_exactly(body.orientation(), s.w, share);
+            if (normalize(q)) set_orientation(body, q);
+            body.idle_steps_left = body.sleep.steps, body.idle_time_left = body.sleep.time;
+        }
+    }
+
+  private:
+    void choose_rows()
+    {
+        int rows = 0, blocks = 0;
+        for (const RowBlock& block : work_.system.blocks) {
+            const int first = rows;
+            for (int i = block.first; i < block.first + block.count; ++i) {
+                const Row& row = work_.system.rows[std::size_t(i)];
+                if (row.kind == RowKind::kFriction || is_motor(row) || is_spring(row, block, work_.system))
+                    continue;
+                system_.rows[std::size_t(rows)] = row;
+                RowNumbers& n = system_.numbers[std::size_t(rows++)];
+                n = {};
+                n.c = closing(world_, row, work_.system.h);
+                n.C = kSoftness * inverse_effective_mass(work_.system, block, row, work_.system.bodies);
+                if (row.lo == 0) n.lo = 0;
+                if (row.hi == 0) n.hi = 0;
+            }
+            if (rows == first) continue;
+            RowBlock& to = system_.blocks[std::size_t(blocks++)];
+            to = {first, rows - first, block.body1, block.body2, block.contact, block.arms};
+            to.first_term = block.first_term, to.term_count = block.term_count;
+        }
+        system_.rows = system_.rows.first(std::size_t(rows));
+        system_.numbers = system_.numbers.first(std::size_t(rows));
+        system_.blocks = system_.blocks.first(std::size_t(blocks));
+    }
+
+    // Of the displacement, with which no body turns further than kLargestTurn; 0: it is not finite.
+    Real largest_share() const
+    {
+        Real largest = 0;
+        for (const SolverBody& s : system_.bodies) {
+            const Real turn = length(s.w), way = length(s.v);
+            if (!usable(turn) || !usable(way)) return 0;
+            largest = std::max(largest, turn);
+        }
+        return largest > kLargestTurn ? kLargestTurn / largest : 1;
+    }
+
+    const World& world_;
+    const IslandWork& work_;
+    Arena& arena_;
+    RowSystem system_;
+};
+
+}  // namespace
+
+bool leave_stops_to_poses(const World& world, RowSystem& system)
+{
+    if (world.acts_as_ode() || !(world.contact_max_vel < kInf)) return false;
+    bool any = false;
+    for (const RowBlock& block : system.blocks)
+        for (int i = block.first; i < block.first + block.count; ++i) {
+            const Row& row = system.rows[std::size_t(i)];
+            if (row.kind != RowKind::kLimit || closing(world, row, system.h) == 0) continue;
+            if (is_spring(row, block, system)) continue;
+            system.numbers[std::size_t(i)].c = wanted_velocity(row, 0);
+            any = true;
+        }
+    return any;
+}
+
+void close_stops(const World& world, const IslandWork& work, const Solver& solver, const Tasks& tasks,
+                 Arena& arena)
+{
+    Arena::Scope scope(arena);
+    StopSystem stops(world, work, arena);
+    if (stops.prepare() && stops.solve(solver, tasks)) stops.move();
+}
+
+}  // namespace epode
