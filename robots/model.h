@@ -233,7 +233,7 @@ struct RobotModel {
     std::vector<ReportLine> report;
     Vec gravity{0, 0, -9.81};
     Medium medium;
-    bool touches_itself = true;     // false: what overlaps at the reference position does not touch
+    bool touches_itself = true;     // but what can never part; false: not what overlaps at the reference
     bool largest_friction = false;  // of a pair, as MuJoCo has it; else the geometric mean
     int coordinates = 0;
     bool decomposes_meshes = false;  // into several hulls each

@@ -5,7 +5,6 @@
 #include <ode/ext.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include "robots/build.h"
@@ -21,22 +20,6 @@ std::vector<dReal> reals_of(const std::vector<Vec>& points)
     std::vector<dReal> out;
     for (Vec p : points) out.insert(out.end(), {dReal(p.x), dReal(p.y), dReal(p.z)});
     return out;
-}
-
-struct Overlaps {
-    std::map<dBodyID, int> link_of;
-    std::set<std::array<int, 2>> found;  // links, the lower number first
-};
-
-void note_overlap(void* data, dGeomID one, dGeomID two)
-{
-    Overlaps& overlaps = *static_cast<Overlaps*>(data);
-    const dBodyID a = dGeomGetBody(one), b = dGeomGetBody(two);
-    dContactGeom contact;
-    if (!a || !b || a == b || dAreConnected(a, b)) return;
-    if (dCollide(one, two, 1, &contact, sizeof contact) == 0) return;
-    const auto [low, high] = std::minmax(overlaps.link_of[a], overlaps.link_of[b]);
-    overlaps.found.insert({low, high});
 }
 
 }  // namespace
@@ -82,7 +65,7 @@ Prepared::Prepared(RobotModel model)
     for (const Link& link : model_.links)
         for (const Shape& look : link.visuals)
             if (link.shapes.empty()) prepare(look, false);
-    if (!model_.touches_itself) find_overlapping();
+    if (!model_.has_errors()) find_overlapping();
 }
 
 Prepared::~Prepared()
@@ -138,25 +121,6 @@ void Prepared::make_heights()
                                             dReal(field.top), 0, dReal(field.base), 0);
         heights_.push_back(data);
     }
-}
-
-// Links of one robot that overlap at its reference position: neighbours of neighbours, covers, collars. They would
-// hold each other fast, and files of URDF do not name them.
-void Prepared::find_overlapping()
-{
-    const dWorldID world = dWorldCreate();
-    const dSpaceID space = dHashSpaceCreate(nullptr);
-    if (world && space) {
-        const std::shared_ptr<const Prepared> borrowed(this, [](const Prepared*) {});
-        const Robot robot(borrowed, world, space, {}, {});
-        Overlaps overlaps;
-        for (size_t i = 0; i < model_.links.size(); ++i)
-            if (robot.body(int(i))) overlaps.link_of[robot.body(int(i))] = int(i);
-        dSpaceCollide(space, &overlaps, &note_overlap);
-        overlapping_.assign(overlaps.found.begin(), overlaps.found.end());
-    }
-    if (space) dSpaceDestroy(space);
-    if (world) dWorldDestroy(world);
 }
 
 }  // namespace epode::robots
