@@ -455,6 +455,7 @@ StepContext with_fallback(const StepContext& c, IslandPlace place)
             .contacts = c.contacts,
             .symbolic_cache = c.symbolic_cache,
             .undo = c.undo,
+            .runaways = c.runaways,
             .manages_contacts = c.manages_contacts,
             .methods = c.methods};
 }
