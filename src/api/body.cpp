@@ -92,7 +92,7 @@ void dBodySetQuaternion(dBodyID b, const dQuaternion q)
     BODY_OR();
     EPODE_USER(q && fits(*body, usable(q, 4)));
     Quat unit = load_quat(q);
-    EPODE_USER(normalize(unit));
+    EPODE_USER(unit == body->orientation() || normalize(unit));
     EPODE_USER_SAY(!in_locked_space(*body), "Invalid operation for locked space");
     orient_body(*body, unit, to_matrix(unit));
 }

@@ -116,8 +116,10 @@ void set_pose(Body& body, unsigned fields, const Real*& from)
     if (fields & dStatePosition) take(body.pos, from);
     if (fields & dStateQuaternion) {
         Quat q = load_quat(from);
-        (void)normalize(q);
-        set_orientation(body, q);
+        if (!(q == orientation)) {  // to normalise its own might change the last digit
+            (void)normalize(q);
+            set_orientation(body, q);
+        }
         note_turned(body, orientation);
         from += 4;
     }

@@ -113,13 +113,23 @@ Real rate_along(const Joint& j, const Jacobian& row)
     return b2 ? rate + dot(row.lin2, b2->velocity()) + dot(row.ang2, b2->angular_velocity()) : rate;
 }
 
+namespace {
+
+// Two bodies feel the force at one point, or angular momentum would be lost; but where a joint is torn by more
+// than a third of its levers, that point would be a lever of its own.
+bool meet_half_way(const Joint& j, Vec3 gap, Real levers2)
+{
+    return j.body2() && !j.world->acts_as_ode() && length2(gap) < Real(0.1) * levers2;
+}
+
+}  // namespace
+
 void lock_point(const Joint& j, RowWriter& out, const AnchorPair& anchor, const OwnSoftness* own)
 {
     const Vec3 a1 = anchor.world(j, 0), a2 = anchor.world(j, 1);
     const Vec3 error = a2 - a1;
-    const Vec3 half = j.body2() && !j.world->acts_as_ode() ? Real(0.5) * error : Vec3{};
-    const Vec3 r1 = a1 + half - j.body1()->position();
-    const Vec3 r2 = j.body2() ? a2 - half - j.body2()->position() : Vec3{};
+    Vec3 r1 = a1 - j.body1()->position(), r2 = j.body2() ? a2 - j.body2()->position() : Vec3{};
+    if (meet_half_way(j, error, length2(r1) + length2(r2))) r1 += Real(0.5) * error, r2 -= Real(0.5) * error;
     if (out.count() == 0) out.point_at(r1, r2, RowForm::kPoint);
     Row* last = nullptr;
     for (int i = 0; i < 3; ++i) {

@@ -25,14 +25,14 @@ struct Golden {
     std::uint64_t saved, later;
 };
 
-constexpr Golden kGolden[2][8] = {{{0xf4921cda4a2a44d4, 0x05167d64594ef010},
-                                   {0x58748c6919e309cf, 0xab5f42f791f8d286},
-                                   {0xd4cf611bf90ad729, 0xd27906bd76238531},
-                                   {0xc29ada563f66109b, 0xe83d8f57ca36e16b},
-                                   {0xaa1b0cfec745f5a2, 0x93622ea96bccec01},
-                                   {0x66309071f8ab889a, 0xd50c7ba17760791a},
-                                   {0x5707b3c78ef9320d, 0x35a23944ab40cca3},
-                                   {0x011d411dc67929d1, 0x6e76d58047887390}},
+constexpr Golden kGolden[2][8] = {{{0xcaff41a8b263524c, 0x9be7cde367856202},
+                                   {0xfa10e1a606be6d2c, 0x261ff63d08512b4c},
+                                   {0xb1d47ec8bf1d9780, 0x41d6fb1ad818a210},
+                                   {0x2444f4fd1f4a20e0, 0x405fb101d3126b24},
+                                   {0x4c28477f0591e760, 0x764c32d2cfcd9664},
+                                   {0xd1b3be37c0a2a5fc, 0xf5a364e7c69fe5ad},
+                                   {0xc45270f887827bb5, 0x8ef5bcdeeebffce8},
+                                   {0x7cdd409a152b8b24, 0x7603b6be2adfbdd3}},
                                   {{0x4e8ed3102cef2e30, 0x4c87ac84ad4121cc},
                                    {0x5f814cb2b16f8f33, 0x389e3f015e40c5f1},
                                    {0xae581468c4727d24, 0xa97345f68bd2dccb},

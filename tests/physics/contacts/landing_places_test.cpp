@@ -59,7 +59,8 @@ TEST(LandingPlaces, are_those_of_events)
                 for (int i = 0; i < 60 && dWorldGetEvents(sim.world, &event, 1) == 0; ++i) sim.advance(kH);
                 ASSERT_EQ(event.kind, dEventContactBegin);
                 EXPECT_GT(event.impulse, 0.5);
-                EXPECT_NEAR(double(event.pos[2]), 0, 2e-3);
+                // A floor that brakes the box tilts it by 0.3 degrees within the step.
+                EXPECT_NEAR(double(event.pos[2]), 0, box ? 3e-3 : 2e-3);
                 EXPECT_NEAR(double(event.pos[0]), position(body).x, box ? 0.3 : 2e-3);
             }
 }

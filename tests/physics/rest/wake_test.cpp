@@ -309,7 +309,8 @@ TEST(WakeNot, WhatNothingHappensTo)
             for (const auto& nothing : kNothing) {
                 nothing.act(s);
                 s.step(stepper, 3);
-                EXPECT_TRUE(s.sleeps()) << nothing.name;
+                EXPECT_TRUE(s.sleeps())
+                    << nothing.name << ", stepper " << int(stepper) << ", others " << int(others);
             }
         }
 }

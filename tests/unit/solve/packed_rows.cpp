@@ -34,7 +34,8 @@ struct BoxCase {
         kind.bodies = 30, kind.joints = 12, kind.contacts = 60, kind.heaviest = 5, kind.kinematic = true;
         problem = random_problem(seed, kind);
         const RowSystem system = problem.system();
-        EXPECT_TRUE(exact.build(system, nullptr, arena) && exact.build_factor(system, nullptr, Tasks(1), arena));
+        EXPECT_TRUE(exact.build(system, nullptr, arena) &&
+                    exact.build_factor(system, nullptr, Tasks(1), arena));
         Dice dice(seed + 50);
         for (std::size_t i = 0; i < problem.rows.size(); ++i) {
             const RowNumbers& n = problem.numbers[i];

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Real kMeanTime = 20;       // s
 constexpr Real kKept = Real(0.999);  // s above
-constexpr Real kMargin = Real(1.25);
+constexpr Real kMargin = Real(2.5);
 
 // The rows that are the same in every step: those that lock come first.
 int locked_rows(const RowBlock& block, const RowSystem& system)
@@ -27,6 +27,12 @@ int same_rows(int remembered, const RowBlock& block, const RowSystem& system)
 {
     if (remembered == block.count) return remembered;
     return std::min(remembered, locked_rows(block, system));
+}
+
+bool has_soft_row(const RowBlock& block, const RowSystem& system)
+{
+    const auto rows = system.rows.subspan(std::size_t(block.first), std::size_t(block.count));
+    return std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.soft; });
 }
 
 // d of a row in n substeps.
@@ -51,10 +57,11 @@ void load_memory(LastingJoint& joint, const RowBlock& block, const RowSystem& sy
     if (joint.impulse_rows == 0) joint.mean_rows = 0, joint.mean_time = 0;
     const int same = same_rows(joint.impulse_rows, block, system);
     const Real ratio = step_ratio(joint, system.h);
+    const bool lasts = solver.substeps && !has_soft_row(block, system);
     for (int i = 0; i < same; ++i) {
         const auto row = std::size_t(block.first + i);
         const Real p = ratio * joint.impulse[i];
-        if (!solver.substeps || i >= joint.mean_rows) {
+        if (!lasts || i >= joint.mean_rows || system.rows[row].kind != RowKind::kLock) {
             system.numbers[row].p = share * solver.warm_share * p;
             continue;
         }

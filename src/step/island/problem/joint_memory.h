@@ -17,8 +17,11 @@
 // is a spring that rings: for small L  z^3 + 3 L z^2 + 2 L z + L b = 0 with solutions exp(z k), which grow by
 // b/4 a substep where 6 L < b. If y loses a share k of itself in each substep they decay from k = b/2 on, thus
 // from a loss of q = n b/2 in a step. A loss from all of f lets structures sag further the stiffer they should
-// be; a loss from f - m only damps: d = 1/(1 + r + r^2/2), close to exp(-r), with r = 1.25 q. The mean is taken
+// be; a loss from f - m only damps: d = 1/(1 + r + r^2/2), close to exp(-r), with r = 2.5 q. The mean is taken
 // as lying between 0 and 2 f, so that what a joint has carried long ago counts for no more than what it carries.
+//
+// Only rows that lock, of joints without a soft row, have such a mean. Motors and stops act by what they meet,
+// and a car on its suspension is no structure: its heading wandered by 1 degree in 5 s.
 //
 // Why s. Joints in loops can pull on each other for nothing, and no velocity shows it: s = 0.999 forgets such
 // stress in a few seconds.
