@@ -12,6 +12,9 @@
 namespace epode {
 
 inline constexpr std::size_t kFewRows = 64;  // a dense solution is shorter
+inline constexpr Real kSoftness =
+    kSingle ? Real(1e-6) : Real(1e-9);   // of the inverse mass, for redundant rows
+inline constexpr Real kLargestTurn = 1;  // rad, of one Newton step
 
 // Softness above this share of the inverse effective mass is meant: a spring.
 inline bool is_spring(const Row& row, const RowBlock& block, const RowSystem& system)

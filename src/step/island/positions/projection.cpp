@@ -40,10 +40,8 @@
 namespace epode {
 namespace {
 
-constexpr Real kSpringShare = Real(1e-3);            // of the inverse_mass, above which softness is meant
-constexpr double kSoftness = kSingle ? 1e-6 : 1e-9;  // of the inverse_mass, for redundant rows
-constexpr Real kLargestTurn = 1;                     // rad, of one Newton step
-constexpr Real kLongTurn = Real(0.03);               // opening relative to the lever, about (w h)^2/2
+constexpr Real kSpringShare = Real(1e-3);  // of the inverse_mass, above which softness is meant
+constexpr Real kLongTurn = Real(0.03);     // opening relative to the lever, about (w h)^2/2
 constexpr int kMaxHalvings = 5;
 
 // What a row of the projection needs besides its Row in the system.

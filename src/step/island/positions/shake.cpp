@@ -13,10 +13,10 @@ namespace epode {
 namespace {
 
 constexpr int kMaxIterations = 8;
-constexpr Real kEnough = Real(1e-3);      // of the projection's tolerance
-constexpr Real kGain = Real(0.25);        // of the sum of squares, that an iteration must reach
-constexpr Real kLongestTurn = Real(0.1);  // opening relative to the lever, about (w h)^2/2
-constexpr Real kSticks = Real(0.999);     // of its bound: friction that does not slide
+constexpr Real kEnough = Real(1e-3);       // of the projection's tolerance
+constexpr Real kGain = Real(0.25);         // of the sum of squares, that an iteration must reach
+constexpr Real kLongestTurn = Real(0.02);  // opening relative to the lever, about (w h)^2/2
+constexpr Real kSticks = Real(0.999);      // of its bound: friction that does not slide
 
 bool is_free(const IslandWork& work) { return work.system.rows.empty() && work.contacts.empty(); }
 

@@ -12,9 +12,7 @@
 namespace epode {
 namespace {
 
-constexpr Real kSlow = kSingle ? Real(1e-4) : Real(1e-5);      // m/s or rad/s
-constexpr Real kSoftness = kSingle ? Real(1e-6) : Real(1e-9);  // of the inverse mass, for redundant rows
-constexpr Real kLargestTurn = 1;                               // rad
+constexpr Real kSlow = kSingle ? Real(1e-4) : Real(1e-5);  // m/s or rad/s
 
 bool is_motor(const Row& row) { return row.kind == RowKind::kLimit && row.lo != 0 && row.hi != 0; }
 
