@@ -322,7 +322,7 @@ ODE_API int dRobotGetVelocities(dRobotID robot, dReal* velocities, int capacity)
     - dRobotGetControl: Returns it, 0 at first. Refused: no such actuator.
     - dRobotSetTarget: Lets a hinge or slider be pulled to the target, m or rad, by a spring of stiffness and
       a damper of damping, at most the joint's max_force, next to the model's own springs and dampers;
-      both 0: no longer. Returns 1, or 0 when refused: negative numbers; a number that no hinge or slider
+      both 0: no longer. Returns 1, or 0 when refused: a negative argument; an index that no hinge or slider
       has. [ours] */
 ODE_API int dRobotSetControl(dRobotID robot, int actuator, dReal control);
 ODE_API dReal dRobotGetControl(dRobotID robot, int actuator);
@@ -350,11 +350,11 @@ ODE_API int dRobotAddForces(dRobotID robot, dReal stepsize);
 ODE_API int dRobotSetActivation(dRobotID robot, int actuator, dReal activation);
 ODE_API dReal dRobotGetActivation(dRobotID robot, int actuator);
 
-/** What a robot has in addition to its world's state (dWorldGetState): controls, activations and targets. Save both,
+/** What a robot has in addition to its world's state (dWorldGetState): controls, activations and what joints are pulled to. Save both,
     and set this after dWorldSetState; then the robot goes on with the same bits.
-    - dRobotGetState: Copies up to capacity numbers (0 to ask how many there are, numbers may then be null). Returns
+    - dRobotGetState: Copies up to capacity `numbers` (0 to ask how many there are, `numbers` may then be null). Returns
       how many there are, as many for all robots of a model. Refused: a negative capacity.
-    - dRobotSetState: Sets them, and lets sensors begin again. Returns 1. Refused: another count; numbers that no robot
+    - dRobotSetState: Sets them, and lets sensors begin again. Returns 1. Refused: another count; `numbers` that no robot
       of this model has returned. [ours] */
 ODE_API int dRobotGetState(dRobotID robot, dReal* numbers, int capacity);
 ODE_API int dRobotSetState(dRobotID robot, const dReal* numbers, int count);

@@ -27,8 +27,8 @@ struct Golden {
 
 constexpr Golden kGolden[2][8] = {{{0xcaff41a8b263524c, 0x9be7cde367856202},
                                    {0xfa10e1a606be6d2c, 0x261ff63d08512b4c},
-                                   {0xb1d47ec8bf1d9780, 0x41d6fb1ad818a210},
-                                   {0x2444f4fd1f4a20e0, 0x405fb101d3126b24},
+                                   {0xade81a558f4d9228, 0xb15cd92c0a0885ef},
+                                   {0x35ef2aa66cc812fe, 0xc312bdf16d74ab0d},
                                    {0x4c28477f0591e760, 0x764c32d2cfcd9664},
                                    {0xd1b3be37c0a2a5fc, 0xf5a364e7c69fe5ad},
                                    {0xc45270f887827bb5, 0x8ef5bcdeeebffce8},

@@ -39,7 +39,9 @@ TEST_P(Mechanisms, are_solved_in_every_step)
     }
     EXPECT_GT(worst, 0) << "nothing was solved";
     EXPECT_TRUE(m.finite());
-    EXPECT_EQ(messages.count(), 0) << messages.last();
+    // Some of these mechanisms run away, which is said.
+    const bool ran_away = messages.last().find("no simulation is meant beyond") != std::string::npos;
+    EXPECT_TRUE(messages.count() == 0 || ran_away) << messages.last();
 }
 
 // What failed before: 5, 9, 29 CFM 0; 13, 15, 36 a light body between heavy ones; 84 ... 997 eigenvalues of
