@@ -16,6 +16,18 @@ inline constexpr Real kSoftness =
     kSingle ? Real(1e-6) : Real(1e-9);   // of the inverse mass, for redundant rows
 inline constexpr Real kLargestTurn = 1;  // rad, of one Newton step
 
+// Of a displacement, v and w: with which no body turns further than kLargestTurn; 0: it is not finite.
+inline Real largest_share(std::span<const SolverBody> displacement)
+{
+    Real largest = 0;
+    for (const SolverBody& s : displacement) {
+        const Real turn = length(s.w), way = length(s.v);
+        if (!usable(turn) || !usable(way)) return 0;
+        largest = std::max(largest, turn);
+    }
+    return largest > kLargestTurn ? kLargestTurn / largest : 1;
+}
+
 // Softness above this share of the inverse effective mass is meant: a spring.
 inline bool is_spring(const Row& row, const RowBlock& block, const RowSystem& system)
 {

@@ -209,7 +209,7 @@ class Projection {
         load_numbers();
         if (!solve(tasks)) return false;
         const Real merit = merit_;
-        Real share = first_share();
+        Real share = largest_share(system_.bodies);
         if (!(share > 0)) return false;  // no pose has moved: 0 * NaN would move them
         std::copy(holds_.begin(), holds_.end(), before_.begin());
         for (int k = 0; k <= kMaxHalvings; ++k, share /= 2) {
@@ -262,18 +262,6 @@ class Projection {
                 if (bounds.lo == 0) n.lo = 0;
                 if (bounds.hi == 0) n.hi = 0;
             }
-    }
-
-    // The share of the step with which no body turns further than kLargestTurn; 0: the step is not finite.
-    Real first_share() const
-    {
-        Real largest = 0;
-        for (const SolverBody& s : system_.bodies) {
-            const Real turn = length(s.w), way = length(s.v);
-            if (!usable(turn) || !usable(way)) return 0;
-            largest = std::max(largest, turn);
-        }
-        return largest > kLargestTurn ? kLargestTurn / largest : 1;
     }
 
     // Poses and errors after that share of the step.

@@ -62,7 +62,7 @@ class StopSystem {
     // A body that is moved is not idle, whatever its velocity.
     void move() const
     {
-        const Real share = largest_share();
+        const Real share = largest_share(system_.bodies);
         for (std::size_t i = 0; i < system_.bodies.size(); ++i) {
             Body& body = *work_.island.bodies[i];
             const SolverBody& s = system_.bodies[i];
@@ -100,18 +100,6 @@ class StopSystem {
         system_.rows = system_.rows.first(std::size_t(rows));
         system_.numbers = system_.numbers.first(std::size_t(rows));
         system_.blocks = system_.blocks.first(std::size_t(blocks));
-    }
-
-    // Of the displacement, with which no body turns further than kLargestTurn; 0: it is not finite.
-    Real largest_share() const
-    {
-        Real largest = 0;
-        for (const SolverBody& s : system_.bodies) {
-            const Real turn = length(s.w), way = length(s.v);
-            if (!usable(turn) || !usable(way)) return 0;
-            largest = std::max(largest, turn);
-        }
-        return largest > kLargestTurn ? kLargestTurn / largest : 1;
     }
 
     const World& world_;
