@@ -8,25 +8,25 @@
 namespace epode::physics {
 namespace {
 
-constexpr int kCells = 5;
+constexpr int kAcross = 5;
 constexpr double kCell = 0.5;
 
 int keep_all(dGeomID, dGeomID, int) { return 1; }
-int refuse_middle(dGeomID, dGeomID, int triangle) { return triangle / 2 != kCells * kCells / 2; }
+int refuse_middle(dGeomID, dGeomID, int triangle) { return triangle / 2 != kAcross * kAcross / 2; }
 
 enum class Hole { kRefused, kLeftOut };
 
 MeshGeom* floor(dSpaceID space, Hole hole)
 {
     std::vector<dReal> v;
-    for (int i = 0; i <= kCells; ++i)
-        for (int j = 0; j <= kCells; ++j)
-            v.insert(v.end(), {real((i - kCells / 2.0) * kCell), real((j - kCells / 2.0) * kCell), 0, 0});
+    for (int i = 0; i <= kAcross; ++i)
+        for (int j = 0; j <= kAcross; ++j)
+            v.insert(v.end(), {real((i - kAcross / 2.0) * kCell), real((j - kAcross / 2.0) * kCell), 0, 0});
     std::vector<dTriIndex> t;
-    for (int i = 0; i < kCells; ++i)
-        for (int j = 0; j < kCells; ++j) {
-            if (hole == Hole::kLeftOut && i * kCells + j == kCells * kCells / 2) continue;
-            const auto a = dTriIndex(i * (kCells + 1) + j), b = a + kCells + 1;
+    for (int i = 0; i < kAcross; ++i)
+        for (int j = 0; j < kAcross; ++j) {
+            if (hole == Hole::kLeftOut && i * kAcross + j == kAcross * kAcross / 2) continue;
+            const auto a = dTriIndex(i * (kAcross + 1) + j), b = a + kAcross + 1;
             t.insert(t.end(), {a, b, a + 1, a + 1, b, b + 1});
         }
     auto* const mesh = new MeshGeom(space, std::move(v), std::move(t));
