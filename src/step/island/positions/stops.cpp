@@ -40,6 +40,7 @@ class StopSystem {
         system_.numbers = arena_.take<RowNumbers>(int(from.rows.size()));
         system_.blocks = arena_.take<RowBlock>(int(from.blocks.size()));
         system_.bodies = arena_.take<SolverBody>(int(from.bodies.size()));
+        parts_ = arena_.take<SystemPart>(int(from.parts.size()));
         system_.terms = from.terms;
         system_.h = 1;
         if (arena_.failed()) return false;
@@ -59,11 +60,20 @@ class StopSystem {
         return solver.solve(system_, settings, arena_, report);
     }
 
-    // A body that is moved is not idle, whatever its velocity.
+    // Islands that are stepped together know nothing of each other.
     void move() const
     {
-        const Real share = largest_share(system_.bodies);
-        for (std::size_t i = 0; i < system_.bodies.size(); ++i) {
+        for (int part = 0; part < work_.system.worlds(); ++part)
+            move(std::size_t(work_.system.begin_of(part).bodies),
+                 std::size_t(work_.system.end_of(part).bodies));
+    }
+
+  private:
+    // A body that is moved is not idle, whatever its velocity.
+    void move(std::size_t from, std::size_t to) const
+    {
+        const Real share = largest_share(system_.bodies.subspan(from, to - from));
+        for (std::size_t i = from; i < to; ++i) {
             Body& body = *work_.island.bodies[i];
             const SolverBody& s = system_.bodies[i];
             if (body.kinematic() || !(share > 0)) continue;
@@ -74,37 +84,46 @@ class StopSystem {
         }
     }
 
-  private:
     void choose_rows()
     {
         int rows = 0, blocks = 0;
-        for (const RowBlock& block : work_.system.blocks) {
-            const int first = rows;
-            for (int i = block.first; i < block.first + block.count; ++i) {
-                const Row& row = work_.system.rows[std::size_t(i)];
-                if (row.kind == RowKind::kFriction || is_motor(row) || is_spring(row, block, work_.system))
-                    continue;
-                system_.rows[std::size_t(rows)] = row;
-                RowNumbers& n = system_.numbers[std::size_t(rows++)];
-                n = {};
-                n.c = closing(world_, row, work_.system.h);
-                n.C = kSoftness * inverse_effective_mass(work_.system, block, row, work_.system.bodies);
-                if (row.lo == 0) n.lo = 0;
-                if (row.hi == 0) n.hi = 0;
-            }
-            if (rows == first) continue;
-            RowBlock& to = system_.blocks[std::size_t(blocks++)];
-            to = {first, rows - first, block.body1, block.body2, block.contact, block.arms};
-            to.first_term = block.first_term, to.term_count = block.term_count;
+        const RowSystem& from = work_.system;
+        for (int part = 0; part < from.worlds(); ++part) {
+            for (int i = from.begin_of(part).blocks; i < from.end_of(part).blocks; ++i)
+                choose_rows_of(from.blocks[std::size_t(i)], rows, blocks);
+            if (!parts_.empty()) parts_[std::size_t(part)] = {from.end_of(part).bodies, blocks, 0, 0};
         }
         system_.rows = system_.rows.first(std::size_t(rows));
         system_.numbers = system_.numbers.first(std::size_t(rows));
         system_.blocks = system_.blocks.first(std::size_t(blocks));
+        system_.parts = parts_;
+    }
+
+    void choose_rows_of(const RowBlock& block, int& rows, int& blocks)
+    {
+        const int first = rows;
+        for (int i = block.first; i < block.first + block.count; ++i) {
+            const Row& row = work_.system.rows[std::size_t(i)];
+            if (row.kind == RowKind::kFriction || is_motor(row) || is_spring(row, block, work_.system))
+                continue;
+            system_.rows[std::size_t(rows)] = row;
+            RowNumbers& n = system_.numbers[std::size_t(rows++)];
+            n = {};
+            n.c = closing(world_, row, work_.system.h);
+            n.C = kSoftness * inverse_effective_mass(work_.system, block, row, work_.system.bodies);
+            if (row.lo == 0) n.lo = 0;
+            if (row.hi == 0) n.hi = 0;
+        }
+        if (rows == first) return;
+        RowBlock& to = system_.blocks[std::size_t(blocks++)];
+        to = {first, rows - first, block.body1, block.body2, block.contact, block.arms};
+        to.first_term = block.first_term, to.term_count = block.term_count;
     }
 
     const World& world_;
     const IslandWork& work_;
     Arena& arena_;
+    std::span<SystemPart> parts_;
     RowSystem system_;
 };
 
