@@ -158,6 +158,31 @@ TEST(HostileFiles, NothingOutsideTheRootsIsRead)
     fs::remove_all(top);
 }
 
+// A name without a folder, and one whose package lies above the folder that is worked in, as a shell gives them.
+TEST(RobotFiles, NamesCountFromTheFolderThatIsWorkedIn)
+{
+    namespace fs = std::filesystem;
+    const fs::path before = fs::current_path();
+    fs::current_path(kModels);
+    for (const char* name : {"walker.xml", "./walker.xml", "hand.xml", "arm.urdf", "geared.sdf"})
+        EXPECT_EQ(errors_of(load_robot(name)), "") << name;
+    const fs::path top =
+        fs::temp_directory_path() / ("epode_package_" + std::to_string(std::random_device()()));
+    fs::create_directories(top / "mine/urdf"), fs::create_directories(top / "mine/meshes");
+    fs::copy(kModels + "/meshes", top / "mine/meshes");
+    std::string mesh;
+    for (const fs::directory_entry& entry : fs::directory_iterator(top / "mine/meshes"))
+        if (entry.path().extension() == ".stl") mesh = entry.path().filename().string();
+    ASSERT_NE(mesh, "");
+    std::ofstream(top / "mine/urdf/r.urdf")
+        << urdf(link("a", kMass + "<collision><geometry><mesh filename='package://mine/meshes/" + mesh +
+                              "'/></geometry></collision>"));
+    fs::current_path(top / "mine/urdf");
+    EXPECT_EQ(errors_of(load_robot("r.urdf")), "");
+    fs::current_path(before);
+    fs::remove_all(top);
+}
+
 TEST(HostileFiles, IncludesInCirclesAreRefused)
 {
     namespace fs = std::filesystem;
