@@ -18,13 +18,13 @@ double kinetic_of(const Body& body, Vec3 v, Vec3 w_local)
     return 0.5 * (double(body.mass.mass) * double(length2(v)) + double(dot(w_local, body.inertia * w_local)));
 }
 
-struct Motion {
+struct PartMotion {
     double solved = 0, forced = 0, mass = 0;
 
-    void add(const Motion& other) { solved += other.solved, forced += other.forced, mass += other.mass; }
+    void add(const PartMotion& other) { solved += other.solved, forced += other.forced, mass += other.mass; }
 };
 
-Motion motion_of(const IslandWork& work, std::size_t i, Real h)
+PartMotion motion_of(const IslandWork& work, std::size_t i, Real h)
 {
     const SolverBody& solved = work.system.bodies[i];
     if (moves_by_itself(solved)) return {};
@@ -38,18 +38,18 @@ Motion motion_of(const IslandWork& work, std::size_t i, Real h)
 }
 
 // By ranges, so that any number of workers adds in the same order.
-Motion motion_of(const IslandWork& work, int first, int last, Real h, const Tasks& tasks, Arena& arena)
+PartMotion motion_of(const IslandWork& work, int first, int last, Real h, const Tasks& tasks, Arena& arena)
 {
     Arena::Scope scope(arena);
-    const auto sums = arena.take_zeroed<Motion>((last - first + kObjectRange - 1) / kObjectRange);
+    const auto sums = arena.take_zeroed<PartMotion>((last - first + kObjectRange - 1) / kObjectRange);
     if (arena.failed()) return {};
     tasks.for_each(int(sums.size()), [&](int range, int) {
         const int begin = first + range * kObjectRange;
         for (int i = begin; i < std::min(last, begin + kObjectRange); ++i)
             sums[std::size_t(range)].add(motion_of(work, std::size_t(i), h));
     });
-    Motion all;
-    for (const Motion& sum : sums) all.add(sum);
+    PartMotion all;
+    for (const PartMotion& sum : sums) all.add(sum);
     return all;
 }
 
@@ -124,7 +124,7 @@ double supply_to(const RowSystem& system, const SystemPart& from, const SystemPa
 bool has_diverged(const IslandWork& work, int part, Real h, const Tasks& tasks, Arena& arena)
 {
     const SystemPart from = work.system.begin_of(part), to = work.system.end_of(part);
-    const Motion motion = motion_of(work, from.bodies, to.bodies, h, tasks, arena);
+    const PartMotion motion = motion_of(work, from.bodies, to.bodies, h, tasks, arena);
     const double most = motion.forced + motion.mass * double(kCorrecting * kCorrecting);
     const double gain = motion.solved - motion.forced;
     return gain > most && gain - supply_to(work.system, from, to) > most;
