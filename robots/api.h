@@ -12,6 +12,7 @@
 #include "epode/robots.h"
 #include "robots/build.h"
 #include "robots/handles.h"
+#include "robots/numbers.h"
 #include "robots/sensors.h"
 
 struct dxRobotModel {
@@ -55,10 +56,7 @@ auto guarded(const char* function, Action&& action) -> decltype(action())
     return {};
 }
 
-// Products of two such numbers are still numbers that libode takes.
-constexpr dReal kMaxMagnitude = sizeof(dReal) == 8 ? dReal(1e30) : dReal(1e9);
-
-inline bool is_usable(dReal value) { return value >= -kMaxMagnitude && value <= kMaxMagnitude; }
+inline bool is_usable(dReal value) { return std::fabs(double(value)) <= kMaxNumber; }  // false for NaN
 
 inline bool are_usable(const dReal* values, int count)
 {

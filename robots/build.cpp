@@ -75,6 +75,17 @@ Robot::Robot(std::shared_ptr<const Prepared> prepared, dWorldID world, dSpaceID 
       inputs_(model().actuators.size(), 0),
       servos_(model().joints.size())
 {
+    try {
+        make(world, space);
+        if (!positions.empty()) set_positions(positions);
+    } catch (...) {
+        destroy();
+        throw;
+    }
+}
+
+void Robot::make(dWorldID world, dSpaceID space)
+{
     reference_ = forward_kinematics(model(), reference_positions(model()));
     for (Pose& pose : reference_) pose = placement_ * pose;
     make_bodies(world);
@@ -87,10 +98,11 @@ Robot::Robot(std::shared_ptr<const Prepared> prepared, dWorldID world, dSpaceID 
     make_couplings(world);
     make_drives();
     set_drives();
-    if (!positions.empty()) set_positions(positions);
 }
 
-Robot::~Robot()
+Robot::~Robot() { destroy(); }
+
+void Robot::destroy()
 {
     for (dGeomID geom : geoms_) dGeomDestroy(geom);
     for (dJointID joint : all_joints_) dJointDestroy(joint);

@@ -127,6 +127,8 @@ class Robot {
     int add_fluid_forces(double stepsize);
 
   private:
+    void make(dWorldID world, dSpaceID space);
+    void destroy();
     void make_bodies(dWorldID world);
     void make_shape(dSpaceID space, int link, const Shape& shape);
     dGeomID make_geom(dSpaceID space, const Shape& shape);

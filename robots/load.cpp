@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "robots/inertia.h"
+#include "robots/numbers.h"
 #include "robots/read/reading.h"
 #include "robots/weld.h"
 
@@ -15,7 +16,6 @@ namespace epode::robots {
 namespace {
 
 constexpr double kWater = 1000;  // kg/m^3
-constexpr double kMaxMass = 1e30;
 
 void add(RobotModel& model, Note note, int line, const std::string& text)
 {
@@ -65,12 +65,12 @@ void fix_weightless_base(RobotModel& model)
 // What no world takes, and what sums of such numbers end in.
 void judge_size(RobotModel& model, const Link& link)
 {
-    bool is_usable = std::fabs(link.mass) <= kMaxMass && length(link.centre) <= kMaxMass;
+    bool is_usable = std::fabs(link.mass) <= kMaxNumber && length(link.centre) <= kMaxNumber;
     for (const auto& row : link.inertia)
-        for (double value : row) is_usable = is_usable && std::fabs(value) <= kMaxMass;
+        for (double value : row) is_usable = is_usable && std::fabs(value) <= kMaxNumber;
     if (!is_usable)
         add(model, Note::kError, link.line,
-            "the mass, centre or inertia of link '" + link.name + "' is beyond 1e30");
+            "the mass, centre or inertia of link '" + link.name + "' is beyond " + max_number_text());
 }
 
 bool give_mass(RobotModel& model, Link& link, const LoadOptions& options)
@@ -147,6 +147,7 @@ void judge_masses(RobotModel& model, const LoadOptions& options)
 
 void finish(RobotModel& model, const LoadOptions& options)
 {
+    judge_numbers(model);
     if (model.has_errors()) return;
     if (model.format == "URDF") fix_weightless_base(model);
     if (!options.keep_fixed) merge_fixed_links(model);

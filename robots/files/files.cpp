@@ -57,7 +57,11 @@ std::vector<std::string> environment_paths()
 
 }  // namespace
 
-std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
+std::string folder_of(const std::string& path)
+{
+    std::string folder = fs::path(path).parent_path().string();
+    return folder.empty() && !path.empty() ? "." : folder;
+}
 
 std::string ending_of(const std::string& path)
 {
@@ -109,7 +113,7 @@ std::string Files::find_package(const std::string& rest, const std::string& fold
         if (const std::string whole = in_package(known->second, inner, tried); !whole.empty()) return whole;
     std::vector<std::string> places = named_;
     for (const std::string& root : environment_paths()) places.push_back(root);
-    std::string ancestor = folder;
+    std::string ancestor = canonical(folder);
     for (int i = 0; i < kMaxAncestors && ancestor.size() > 1; ++i, ancestor = folder_of(ancestor))
         places.push_back(ancestor);
     for (const std::string& place : places) {

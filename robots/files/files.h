@@ -36,6 +36,7 @@ class Files {
     size_t total_ = 0;
 };
 
+// "." of a name without a folder.
 std::string folder_of(const std::string& path);
 // In lower case, without the dot.
 std::string ending_of(const std::string& path);

@@ -64,13 +64,62 @@ TEST(HostileFiles, MassesBeyondAllNumbersAreRefused)
     from_shapes.inertia_from_shapes = from_shapes.repair = true;
     const std::string huge =
         "<collision><geometry><cylinder radius='1e120' length='1'/></geometry></collision>";
-    expect_error(urdf(link("a") + link("b", huge) + joint("j", "a", "b")),
-                 "the mass, centre or inertia of link 'b' is beyond 1e30", from_shapes);
+    expect_error(urdf(link("a") + link("b", huge) + joint("j", "a", "b")), "link 'b' has a number beyond 1e",
+                 from_shapes);
     const std::string heavy =
         "<inertial><origin xyz='1e40 0 0'/><mass value='1e300'/><inertia ixx='1e300' iyy='1e300' izz='1e300' "
         "ixy='0' "
         "ixz='0' iyz='0'/></inertial>";
-    expect_error(urdf(link("a") + link("b", heavy) + joint("j", "a", "b")), "link 'b' is beyond 1e30");
+    expect_error(urdf(link("a") + link("b", heavy) + joint("j", "a", "b")), "link 'b' is beyond 1e");
+}
+
+// Of a value that is put in place of @.
+void expect_sizes(const std::string& text, const std::string& wanted)
+{
+    const auto with = [&](const char* value) {
+        std::string out = text;
+        for (size_t at; (at = out.find('@')) != std::string::npos;) out.replace(at, 1, value);
+        return errors_of(load_robot_text(kModels + "/text.xml", out));
+    };
+    EXPECT_EQ(with("1"), "") << text;
+    for (const char* value : {"1e33", "1e101", "1e160", "1e308"})
+        EXPECT_NE(with(value).find(wanted + " has a number beyond 1e"), std::string::npos)
+            << value << " in " << text << " got: " << with(value);
+}
+
+TEST(HostileFiles, NumbersBeyondTheLimitAreRefusedEverywhere)
+{
+    const auto mjcf = [](const std::string& joint, const std::string& geom, const std::string& more) {
+        return "<mujoco><worldbody><body name='b'><joint name='j' " + joint +
+               "/><geom type='sphere' size='0.1' " + geom + "/><site name='s'/></body></worldbody>" + more +
+               "</mujoco>";
+    };
+    const std::string motor = "<actuator><position name='m' joint='j' ";
+    expect_sizes(
+        "<mujoco><worldbody><body name='b' pos='@ 0 0'><joint/><geom type='sphere' size='0.1'/></body>"
+        "</worldbody></mujoco>",
+        "link 'b'");
+    expect_sizes(mjcf("axis='0 1 0'", "pos='0 0 @'", ""), "link 'b'");
+    for (const char* name : {"pos='0 0 @'", "stiffness='@'", "springref='@' stiffness='1'", "ref='@'"})
+        expect_sizes(mjcf(name, "", ""), "joint 'j'");
+    expect_sizes(mjcf("", "", motor + "kp='@'/></actuator>"), "actuator 'm'");
+    expect_sizes(mjcf("", "", motor + "gear='@'/></actuator>"), "actuator 'm'");
+    expect_sizes(mjcf("", "", "<option gravity='0 0 @'/>"), "gravity or the medium");
+    expect_sizes(urdf(link("a") + link("b") + joint("j", "a", "b", "<origin xyz='0 @ 0'/>")), "link 'b'");
+}
+
+TEST(RobotFiles, LimitsBeyondTheLimitOfNumbersAreNone)
+{
+    const RobotModel model = load_robot_text(
+        kModels + "/text.xml", urdf(link("a") + link("b") +
+                                    "<joint name='j' type='revolute'><parent link='a'/><child link='b'/>"
+                                    "<limit lower='-1e300' upper='1.7976931348623157e+308' effort='1e300' "
+                                    "velocity='1e300'/></joint>"));
+    EXPECT_EQ(errors_of(model), "");
+    ASSERT_EQ(model.joints.size(), 2u);
+    EXPECT_EQ(model.joints[1].low, -kInfinity);
+    EXPECT_EQ(model.joints[1].high, kInfinity);
+    EXPECT_EQ(model.joints[1].max_force, kInfinity);
 }
 
 TEST(HostileFiles, EntitiesAreRefused)
@@ -155,6 +204,31 @@ TEST(HostileFiles, NothingOutsideTheRootsIsRead)
     LoadOptions options;
     options.roots = {top.string()};
     EXPECT_EQ(errors_of(load_robot_text(path, include, options)), "");
+    fs::remove_all(top);
+}
+
+// A name without a folder, and one whose package lies above the folder that is worked in, as a shell gives them.
+TEST(RobotFiles, NamesCountFromTheFolderThatIsWorkedIn)
+{
+    namespace fs = std::filesystem;
+    const fs::path before = fs::current_path();
+    fs::current_path(kModels);
+    for (const char* name : {"walker.xml", "./walker.xml", "hand.xml", "arm.urdf", "geared.sdf"})
+        EXPECT_EQ(errors_of(load_robot(name)), "") << name;
+    const fs::path top =
+        fs::temp_directory_path() / ("epode_package_" + std::to_string(std::random_device()()));
+    fs::create_directories(top / "mine/urdf"), fs::create_directories(top / "mine/meshes");
+    fs::copy(kModels + "/meshes", top / "mine/meshes");
+    std::string mesh;
+    for (const fs::directory_entry& entry : fs::directory_iterator(top / "mine/meshes"))
+        if (entry.path().extension() == ".stl") mesh = entry.path().filename().string();
+    ASSERT_NE(mesh, "");
+    std::ofstream(top / "mine/urdf/r.urdf")
+        << urdf(link("a", kMass + "<collision><geometry><mesh filename='package://mine/meshes/" + mesh +
+                              "'/></geometry></collision>"));
+    fs::current_path(top / "mine/urdf");
+    EXPECT_EQ(errors_of(load_robot("r.urdf")), "");
+    fs::current_path(before);
     fs::remove_all(top);
 }
 

@@ -10,6 +10,7 @@
 #include "joints/breaking.h"
 #include "solve/common/work_meter.h"
 #include "step/island/blows.h"
+#include "step/island/divergence.h"
 #include "step/island/energy_ledger.h"
 #include "step/island/exact_substeps.h"
 #include "step/island/free_flight.h"
@@ -42,7 +43,8 @@ void contain(std::span<Body* const> bodies, std::span<Joint* const> joints)
     }
 }
 
-constexpr int kManyIterations = 1000;  // from here on no more for settling islands
+constexpr int kManyIterations = 1000;   // from here on no more for settling islands
+constexpr std::size_t kFewBodies = 64;  // of a diverging island that is solved exactly
 
 template <typename T>
 std::span<T> slice(std::span<T> all, int from, int to)
@@ -100,6 +102,8 @@ class IslandStep {
             work_meter_.limit = method->max_work, settings.work = &work_meter_;
         if (projects()) settings.refine_above = 1e-9;  // the projection corrects smaller errors of position
         if (context_.solver.substeps && !blows_.begin(work_.system, arena_)) return false;
+        set_aside_ = arena_.take_zeroed<bool>(work_.system.worlds());
+        if (arena_.failed()) return false;
         load_warm_start(world_.warm_starting);
         std::optional<SubstepModel> model;
         Substeps callbacks;
@@ -137,8 +141,8 @@ class IslandStep {
     void accept(const Tasks& tasks, std::span<dIslandStepReport> reports)
     {
         for (int part = 0; part < work_.system.worlds(); ++part)
-            if (has_parts() && !sound(work_.system, part))
-                contain_part(part, reports);
+            if ((has_parts() && !sound(work_.system, part)) || diverged(part, tasks))
+                set_aside(part, reports);
             else if (context_.solver.substeps && is_free(part))
                 fly_freely(part);
         if (!has_exact_substeps()) {
@@ -176,6 +180,15 @@ class IslandStep {
     void end_ledger()
     {
         if (ledger_.wanted()) ledger_.end();
+    }
+
+    // The islands that are to be solved again.
+    std::span<const bool> set_aside() const { return set_aside_; }
+    // May what has diverged be solved in another way?
+    bool may_try_again() const
+    {
+        if (exact_ || world_.acts_as_ode()) return false;
+        return context_.diverged == 0 || (context_.diverged == 1 && work_.island.bodies.size() <= kFewBodies);
     }
 
   private:
@@ -299,14 +312,34 @@ class IslandStep {
         }
     }
 
+    bool diverged(int part, const Tasks& tasks) const
+    {
+        return !exact_ && !world_.acts_as_ode() && !is_free(part) &&
+               has_diverged(work_, part, context_.h, tasks, arena_);
+    }
+
+    void set_aside(int part, std::span<dIslandStepReport> reports)
+    {
+        contain_part(part);
+        if (may_try_again())
+            set_aside_[std::size_t(part)] = true;
+        else
+            report_contained(part, reports);
+    }
+
+    void report_contained(int part, std::span<dIslandStepReport> reports) const
+    {
+        context_.runaways.add(*work_.island.bodies[std::size_t(work_.system.begin_of(part).bodies)]);
+        if (!reports.empty()) reports[std::size_t(part)].contained = true;
+    }
+
     // A part whose solution is not finite must not affect the others: its bodies keep their velocities, and
     // its constraints exert nothing.
-    void contain_part(int part, std::span<dIslandStepReport> reports)
+    void contain_part(int part)
     {
         RowSystem& system = work_.system;
         const SystemPart from = system.begin_of(part), to = system.end_of(part);
         contain(slice(work_.island.bodies, from.bodies, to.bodies), {});
-        context_.runaways.add(*work_.island.bodies[std::size_t(from.bodies)]);
         for (auto i = std::size_t(from.bodies); i < std::size_t(to.bodies); ++i)
             load_velocity(*work_.island.bodies[i], system.bodies[i]);
         for (const RowBlock& block : slice(system.blocks, from.blocks, to.blocks))
@@ -325,7 +358,6 @@ class IslandStep {
             context_.undo.restore_poses(bodies);
             for (Body* body : bodies) advance_pose(*body, context_.h);
         }
-        if (!reports.empty()) reports[std::size_t(part)].contained = true;
     }
     // Tickets in the contact cache: points of manifolds first, then contacts that are rows.
     int ticket_of_point(int point) const { return place_.first_contact + point; }
@@ -358,6 +390,7 @@ class IslandStep {
 
     void load_contact(int ticket, const JointManifold& m, std::span<JointManifoldPoint> points, Real share)
     {
+        if (context_.diverged > 0) return;  // they are noted
         const auto& bodies = work_.island.bodies;
         const Body* body2 = m.body2 >= 0 ? bodies[std::size_t(m.body2)] : nullptr;
         context_.contacts.load(place_.index, ticket, *bodies[std::size_t(m.body1)], body2, m, points, share,
@@ -373,6 +406,7 @@ class IslandStep {
 
     void remember_contacts()
     {
+        if (context_.diverged > 0) return;
         const RowSystem& system = work_.system;
         for (const JointManifold& m : system.joint_contacts.manifolds)
             if (!blows_.struck(system, m))
@@ -416,6 +450,7 @@ class IslandStep {
     ExactSubsteps exact_substeps_;
     StrainWatch strain_;
     Blows blows_;
+    std::span<bool> set_aside_;  // of each part
     WorkMeter work_meter_{};
     int factorisations_ = 0;
     int substeps_ = 1;  // if the solver has any
@@ -460,6 +495,42 @@ StepContext with_fallback(const StepContext& c, IslandPlace place)
             .methods = c.methods};
 }
 
+// After the first divergence by the same solver, after the second exactly.
+StepContext without_impulses(const StepContext& c)
+{
+    return {.world = c.world,
+            .solver = c.diverged == 0 ? c.solver : kDirect,
+            .h = c.h,
+            .iterations = c.iterations,
+            .contacts = c.contacts,
+            .symbolic_cache = c.symbolic_cache,
+            .undo = c.undo,
+            .runaways = c.runaways,
+            .manages_contacts = c.manages_contacts,
+            .methods = c.diverged == 0 ? c.methods : std::span<IslandMethod>(),
+            .diverged = c.diverged + 1};
+}
+
+void forget_impulses(const Island& island)
+{
+    for (Joint* joint : island.joints) {
+        joint->impulse_rows = 0;
+        if (joint->driven) forget_load(*joint);
+    }
+    for (ManifoldEdge* edge : island.manifolds) clear_impulses(*edge->manifold);
+}
+
+// False: out of memory.
+bool solve_again(const StepContext& context, const Island& island, IslandPlace place, const Tasks& tasks,
+                 Arena& arena, const IslandRecords& records)
+{
+    context.undo.restore_bodies(island.bodies);
+    forget_impulses(island);
+    if (!step_islands(without_impulses(context), {&island, 1}, place, tasks, arena, records)) return false;
+    for (dIslandStepReport& report : records.reports) report.fallback = true;
+    return true;
+}
+
 }  // namespace
 
 bool step_islands(const StepContext& context, std::span<const Island> islands, IslandPlace place,
@@ -478,9 +549,18 @@ bool step_islands(const StepContext& context, std::span<const Island> islands, I
         if (!reports.empty()) reports[0].factorisations += step.factorisations();
         return true;
     }
+    if (!solved && step.may_try_again())
+        return solve_again(context, islands.front(), place, tasks, arena, records);
     solved ? step.accept(tasks, reports) : step.refuse(reports);
     step.end_ledger();
     for (std::size_t i = 0; i < reports.size(); ++i) end_report(context.world, islands[i], reports[i]);
+    for (std::size_t i = 0; i < step.set_aside().size(); ++i) {
+        if (!step.set_aside()[i]) continue;
+        const IslandPlace own{place.index, place.draw, place.first_contact, place.first_island + int(i)};
+        const auto part = [i](auto all) { return all.empty() ? all : all.subspan(i, 1); };
+        if (!solve_again(context, islands[i], own, tasks, arena, {part(reports), part(records.ledgers)}))
+            return false;
+    }
     return !arena.failed();
 }
 

@@ -27,6 +27,8 @@ struct StepContext {
     Runaways& runaways;
     bool manages_contacts;            // the world has world-managed contacts
     std::span<IslandMethod> methods;  // by island; empty: all have this solver, and nothing is noted
+    // Solutions of the island that have diverged in this step: more than none start from no impulses.
+    int diverged = 0;
 };
 
 struct IslandPlace {
@@ -45,7 +47,8 @@ struct IslandRecords {
 // Computes velocities, impulses, feedback and poses of the islands, which are consecutive in the arrays of
 // all bodies and joints; more than one only if the solver supports parts. An island whose solution is not
 // finite is contained: it keeps its velocities, its constraints exert nothing, and other islands are
-// unaffected. False: out of memory; the bodies are then half stepped, and the caller must restore them.
+// unaffected. One whose sweeps diverge (divergence.h) is solved again without the impulses of the last step, then
+// exactly if it is small, else contained. False: out of memory; the bodies are then half stepped, and the caller must restore them.
 [[nodiscard]] bool step_islands(const StepContext& context, std::span<const Island> islands,
                                 IslandPlace place, const Tasks& tasks, Arena& arena,
                                 const IslandRecords& records);
