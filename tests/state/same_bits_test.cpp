@@ -33,14 +33,14 @@ constexpr Golden kGolden[2][8] = {{{0xcaff41a8b263524c, 0x9be7cde367856202},
                                    {0xd1b3be37c0a2a5fc, 0xf5a364e7c69fe5ad},
                                    {0xc45270f887827bb5, 0x8ef5bcdeeebffce8},
                                    {0x7cdd409a152b8b24, 0x7603b6be2adfbdd3}},
-                                  {{0x4e8ed3102cef2e30, 0x4c87ac84ad4121cc},
-                                   {0x5f814cb2b16f8f33, 0x389e3f015e40c5f1},
-                                   {0xae581468c4727d24, 0xa97345f68bd2dccb},
-                                   {0xc83e468cddf63e16, 0x6676f2ce518bcb15},
-                                   {0x915b42ff09b919a3, 0x932f76fcebde3128},
-                                   {0xf3fcfdb048636108, 0xdc524c6d3e5adf01},
-                                   {0x506564f2b886b8db, 0x365dbd7503023c0f},
-                                   {0xeaa2f156cb4f7db6, 0x6ca947a299ad00c7}}};
+                                  {{0x5bd7820f4a5c8cb0, 0x3902e627b17d1673},
+                                   {0xad047417bd0e6c07, 0x5877d84cef7e2911},
+                                   {0x1bc18893bb169c8d, 0x74bd079bbdc43b77},
+                                   {0x79860f8a2db02494, 0xa108796d30ec758b},
+                                   {0xfcededce350817e9, 0xdf8fe72d3cb6d598},
+                                   {0x7b490f75813de36c, 0x65d786e4db354897},
+                                   {0x0411f549551f6618, 0x8d633525ad94c354},
+                                   {0xab5186cbbddcfbb5, 0xb46d4e5f707b2430}}};
 
 class SameBits : public testing::TestWithParam<int> {};
 
