@@ -83,6 +83,13 @@ class Batch : public AnyBatch {
         for (int group = 0; group < groups_; ++group) write_bound(group);
     }
 
+    int bad() const override
+    {
+        int count = 0;
+        for (int i = 0; i < copies_; ++i) count += at(i, layout_.bad) > 0;
+        return count;
+    }
+
   private:
     static constexpr Quantity kWritable[] = {Quantity::kPositions, Quantity::kVelocities, Quantity::kControls, Quantity::kApplied};
 

@@ -37,6 +37,7 @@ class AnyBatch {
     virtual bool step(int steps) = 0;
     // To the reference at rest, no controls, no forces, good again: where mask (n) is not 0; null: all.
     virtual void reset(const unsigned char* mask) = 0;
+    virtual int bad() const = 0;  // how many
 
   protected:
     AnyBatch(BatchModel model, int copies) : model_(std::move(model)), copies_(copies) {}
