@@ -41,7 +41,7 @@ typedef struct dBatchOptions {
     dReal erp;            /**< share of an overlap, or of a limit passed, that a step takes back, 0 to 1: 0.2 */
     dReal max_correction; /**< speed of taking back, m/s or rad/s, 0 or more: 2 */
     dReal reach;          /**< surfaces nearer than this are looked at in any case, m, 0 or more: 0.005 */
-    dReal tolerance;      /**< sweeps end when the last one changed no speed by more, m/s; 0: 1e-5 in floats, 1e-7 in doubles */
+    dReal tolerance;      /**< sweeps end when the last one changed no speed by more, m/s; 0: 1e-5 in floats, 1e-6 in doubles */
 } dBatchOptions;
 
 /** Fills *options with defaults, and writes struct_size, which is sizeof(dBatchOptions), to it. Returns 1.
