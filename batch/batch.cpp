@@ -62,7 +62,10 @@ class Batch : public AnyBatch {
         return true;
     }
 
-    void bind(Quantity quantity, void* array) override { bound_[std::size_t(quantity)] = static_cast<T*>(array); }
+    void bind(Quantity quantity, void* array) override
+    {
+        bound_[std::size_t(quantity)] = static_cast<T*>(array);
+    }
 
     bool step(int steps) override
     {
@@ -70,7 +73,8 @@ class Batch : public AnyBatch {
             if (const T* array = bound(quantity); array && !write(quantity, 0, copies_, array)) return false;
         crew_.work(groups_, [&](int group, int worker) {
             T* its = static_cast<T*>(state_.get()) + std::size_t(group) * group_numbers();
-            for (int i = 0; i < steps; ++i) kernels_.step(view_, options_, numbers_.data(), false, its, work_[std::size_t(worker)].get());
+            for (int i = 0; i < steps; ++i)
+                kernels_.step(view_, options_, numbers_.data(), false, its, work_[std::size_t(worker)].get());
             write_bound(group);
         });
         return true;
@@ -91,7 +95,8 @@ class Batch : public AnyBatch {
     }
 
   private:
-    static constexpr Quantity kWritable[] = {Quantity::kPositions, Quantity::kVelocities, Quantity::kControls, Quantity::kApplied};
+    static constexpr Quantity kWritable[] = {Quantity::kPositions, Quantity::kVelocities, Quantity::kControls,
+                                             Quantity::kApplied};
 
     std::size_t group_numbers() const { return std::size_t(layout_.rows) * std::size_t(lanes_); }
     T* bound(Quantity quantity) const { return bound_[std::size_t(quantity)]; }
@@ -103,14 +108,16 @@ class Batch : public AnyBatch {
 
     int row_of(Quantity quantity) const
     {
-        const int rows[] = {layout_.q, layout_.v, layout_.control, layout_.applied, layout_.forces, layout_.bad, layout_.residual, layout_.sweeps};
+        const int rows[] = {layout_.q,      layout_.v,   layout_.control,  layout_.applied,
+                            layout_.forces, layout_.bad, layout_.residual, layout_.sweeps};
         return rows[int(quantity)];
     }
 
     void put_at_reference(int copy)
     {
         for (int row = 0; row < layout_.rows; ++row) at(copy, row) = 0;
-        for (int k = 0; k < model_.positions; ++k) at(copy, layout_.q + k) = T(model_.reference[std::size_t(k)]);
+        for (int k = 0; k < model_.positions; ++k)
+            at(copy, layout_.q + k) = T(model_.reference[std::size_t(k)]);
     }
 
     // Of floating bases, between their links' axes and the world's.
@@ -122,8 +129,10 @@ class Batch : public AnyBatch {
             const T sign = to_world ? T(1) : T(-1), w = at(copy, q);
             const T x = sign * at(copy, q + 1), y = sign * at(copy, q + 2), z = sign * at(copy, q + 3);
             T* a = v + joint.dof + 3;
-            const T tx = 2 * (y * a[2] - z * a[1]), ty = 2 * (z * a[0] - x * a[2]), tz = 2 * (x * a[1] - y * a[0]);
-            const T out[3] = {a[0] + w * tx + (y * tz - z * ty), a[1] + w * ty + (z * tx - x * tz), a[2] + w * tz + (x * ty - y * tx)};
+            const T tx = 2 * (y * a[2] - z * a[1]), ty = 2 * (z * a[0] - x * a[2]),
+                    tz = 2 * (x * a[1] - y * a[0]);
+            const T out[3] = {a[0] + w * tx + (y * tz - z * ty), a[1] + w * ty + (z * tx - x * tz),
+                              a[2] + w * tz + (x * ty - y * tx)};
             std::copy_n(out, 3, a);
         }
     }
@@ -137,7 +146,9 @@ class Batch : public AnyBatch {
         if (quantity != Quantity::kPositions) return true;
         for (const BatchJoint& joint : model_.joints) {
             const int first = joint.position + (joint.kind == JointKind::kFree ? 3 : 0);
-            if ((joint.kind == JointKind::kFree || joint.kind == JointKind::kBall) && !(length2(its + first) > T(1e-6))) return false;
+            if ((joint.kind == JointKind::kFree || joint.kind == JointKind::kBall) &&
+                !(length2(its + first) > T(1e-6)))
+                return false;
         }
         return true;
     }
@@ -159,7 +170,8 @@ class Batch : public AnyBatch {
     {
         std::vector<T> v(static_cast<std::size_t>(model_.velocities));
         bool changes = false;
-        for (int k = 0; k < model_.positions; ++k) changes |= at(copy, layout_.q + k) != values[std::size_t(k)];
+        for (int k = 0; k < model_.positions; ++k)
+            changes |= at(copy, layout_.q + k) != values[std::size_t(k)];
         if (!changes) return;
         read(Quantity::kVelocities, copy, 1, v.data());
         for (const BatchJoint& joint : model_.joints) {
@@ -179,7 +191,8 @@ class Batch : public AnyBatch {
         const int first = group * lanes_, count = std::min(lanes_, copies_ - first);
         for (int q = 0; q < int(Quantity::kCount); ++q)
             if (T* array = bound_[std::size_t(q)])
-                read(Quantity(q), first, count, array + std::size_t(first) * std::size_t(size_of(Quantity(q))));
+                read(Quantity(q), first, count,
+                     array + std::size_t(first) * std::size_t(size_of(Quantity(q))));
     }
 
     const Kernels<T>& kernels_;

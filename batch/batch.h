@@ -15,7 +15,17 @@
 namespace epode::batch {
 
 // What of a copy can be read; positions, velocities, controls and applied forces can be written too.
-enum class Quantity { kPositions, kVelocities, kControls, kApplied, kForces, kBad, kResidual, kSweeps, kCount };
+enum class Quantity {
+    kPositions,
+    kVelocities,
+    kControls,
+    kApplied,
+    kForces,
+    kBad,
+    kResidual,
+    kSweeps,
+    kCount
+};
 
 class AnyBatch {
   public:

@@ -12,8 +12,7 @@ Crew::Crew(int threads)
 {
     try {
         for (int i = 1; i < threads; ++i) helpers_.emplace_back([this, i] { help(i); });
-    } catch (const std::system_error&) {
-    }
+    } catch (const std::system_error&) {}
 }
 
 Crew::~Crew()

@@ -31,9 +31,10 @@ bool is_between(dReal x, dReal low, dReal high) { return x >= low && x <= high; 
 
 bool are_good(const dBatchOptions& o)
 {
-    return o.struct_size == sizeof(dBatchOptions) && (o.doubles == 0 || o.doubles == 1) && o.threads >= 0 && o.threads <= 1024 &&
-           o.max_sweeps >= 1 && is_between(o.stepsize, dReal(1e-9), dReal(10)) && is_between(o.erp, 0, 1) &&
-           is_between(o.max_correction, 0, dReal(1e9)) && is_between(o.reach, 0, dReal(1e9)) && is_between(o.tolerance, 0, dReal(1e9));
+    return o.struct_size == sizeof(dBatchOptions) && (o.doubles == 0 || o.doubles == 1) && o.threads >= 0 &&
+           o.threads <= 1024 && o.max_sweeps >= 1 && is_between(o.stepsize, dReal(1e-9), dReal(10)) &&
+           is_between(o.erp, 0, 1) && is_between(o.max_correction, 0, dReal(1e9)) &&
+           is_between(o.reach, 0, dReal(1e9)) && is_between(o.tolerance, 0, dReal(1e9));
 }
 
 void set_options(AnyBatch& batch, const dBatchOptions& from)
@@ -58,7 +59,8 @@ dBatchID create(dxRobotModel& model, int copies, const dBatchOptions& options)
         dMessage(d_ERR_UNKNOWN, "dBatchCreate: refused: %s", refusal.c_str());
         return nullptr;
     }
-    auto batch = epode::batch::make_batch(std::move(compiled), copies, options.doubles == 1, threads_of(options));
+    auto batch =
+        epode::batch::make_batch(std::move(compiled), copies, options.doubles == 1, threads_of(options));
     set_options(*batch, options);
     return Handles<dxBatch>::all().add(std::make_unique<dxBatch>(dxBatch{std::move(batch)}));
 }
@@ -68,7 +70,8 @@ constexpr const char* kPart = "a batch, a quantity, copies that there are, and a
 
 bool is_part(const AnyBatch* batch, int quantity, int first, int count, const void* numbers)
 {
-    return batch && is_quantity(quantity) && first >= 0 && count >= 0 && first <= batch->copies() - count && (numbers || count == 0);
+    return batch && is_quantity(quantity) && first >= 0 && count >= 0 && first <= batch->copies() - count &&
+           (numbers || count == 0);
 }
 
 }  // namespace
@@ -79,7 +82,8 @@ int dBatchOptionsInit(dBatchOptions* options, unsigned struct_size)
     const epode::batch::StepOptions its;
     *options = dBatchOptions{};
     options->struct_size = struct_size, options->max_sweeps = its.most_sweeps;
-    options->stepsize = dReal(its.h), options->erp = dReal(its.erp), options->max_correction = dReal(its.most_correction);
+    options->stepsize = dReal(its.h), options->erp = dReal(its.erp),
+    options->max_correction = dReal(its.most_correction);
     options->reach = dReal(its.reach);
     return 1;
 }
@@ -87,7 +91,8 @@ int dBatchOptionsInit(dBatchOptions* options, unsigned struct_size)
 dBatchID dBatchCreate(dRobotModelID model, int copies, const dBatchOptions* options)
 {
     dxRobotModel* its = epode::robots::alive(model);
-    CHECK(its && copies >= 1 && (!options || are_good(*options)), "a model, 1 copy or more, and NULL or options in their ranges");
+    CHECK(its && copies >= 1 && (!options || are_good(*options)),
+          "a model, 1 copy or more, and NULL or options in their ranges");
     dBatchOptions chosen;
     dBatchOptionsInit(&chosen, sizeof chosen);
     if (options) chosen = *options;
@@ -137,7 +142,8 @@ int dBatchWrite(dBatchID batch, int quantity, int first, int count, const void* 
     AnyBatch* its = alive(batch);
     CHECK(is_part(its, quantity, first, count, numbers), kPart);
     CHECK(can_be_written(quantity), "positions, velocities, controls or applied forces");
-    CHECK(its->write(Quantity(quantity), first, count, numbers), "numbers that are finite, and quaternions with a length");
+    CHECK(its->write(Quantity(quantity), first, count, numbers),
+          "numbers that are finite, and quaternions with a length");
     return 1;
 }
 

@@ -21,7 +21,8 @@ struct SineCosine {
 template <typename P>
 EPODE_LANEWISE P rounded(const P& x)
 {
-    const P magic(sizeof(typename P::Number) == 4 ? typename P::Number(12582912.0) : typename P::Number(6755399441055744.0));
+    const P magic(sizeof(typename P::Number) == 4 ? typename P::Number(12582912.0)
+                                                  : typename P::Number(6755399441055744.0));
     return (x + magic) - magic;
 }
 
@@ -31,7 +32,8 @@ EPODE_LANEWISE SineCosine<P> half_turn(const P& angle)
     using T = typename P::Number;
     constexpr bool kFloat = sizeof(T) == 4;
     const P half = P(T(0.5)) * angle, n = rounded(half * P(T(0.31830988618379067154)));
-    const P part1(kFloat ? T(3.140625) : T(3.141592651605606079101563)), part2(kFloat ? T(0.000967502593994140625) : T(1.984187158327044286920682e-9)),
+    const P part1(kFloat ? T(3.140625) : T(3.141592651605606079101563)),
+        part2(kFloat ? T(0.000967502593994140625) : T(1.984187158327044286920682e-9)),
         part3(kFloat ? T(1.509957883192319270670e-7) : T(1.034036596358821027054e-18));
     const P r = ((half - n * part1) - n * part2) - n * part3, x = r * r;
     constexpr int kTerms = kFloat ? 6 : 11;

@@ -26,6 +26,8 @@ struct Drives {
     {
         ServoWork<P>* servos = work.servos;
         for (int i = 0; i < model.dofs.size(); ++i) passive(model.dofs[i], i);
+        for (const BatchJoint& joint : model.joints)
+            if (joint.kind == JointKind::kFree) turn_torque(joint);
         for (int i = 0; i < model.servos; ++i) servos[i] = {P(0), P(0), P(0)};
         for (int i = 0; i < model.actuators.size(); ++i) actuate(model.actuators[i], control[i], servos);
         for (int i = 0; i < model.dofs.size(); ++i)
@@ -43,19 +45,32 @@ struct Drives {
         work.torque[i] = work.torque[i] - k * (position - number(dof_number::kRest));
     }
 
+    // A torque on a floating base is given in its link's axes, where its velocity is in the world's.
+    void turn_torque(const BatchJoint& joint) const
+    {
+        const P* its = applied + joint.dof + 3;
+        const Vec3Of<P> turned = work.link[joint.link].r * Vec3Of<P>{its[0], its[1], its[2]};
+        const P by[3] = {turned.x, turned.y, turned.z};
+        for (int k = 0; k < 3; ++k)
+            work.torque[joint.dof + 3 + k] = work.torque[joint.dof + 3 + k] + (by[k] - its[k]);
+    }
+
     void actuate(const BatchActuator& a, const P& control_of, ServoWork<P>* servos) const
     {
         const auto number = [&](int which) { return numbers[a.first + which]; };
         const Dof& dof = model.dofs[a.dof];
-        const P gear = number(actuator_number::kGear), u = clip(control_of, number(actuator_number::kLow), number(actuator_number::kHigh));
+        const P gear = number(actuator_number::kGear),
+                u = clip(control_of, number(actuator_number::kLow), number(actuator_number::kHigh));
         const P force = number(actuator_number::kGain) * u + number(actuator_number::kBias);
         if (!a.is_servo) {
             const P most = numbers[dof.first + dof_number::kForceLimit];
-            const P clipped = gear * clip(force, number(actuator_number::kForceLow), number(actuator_number::kForceHigh));
+            const P clipped =
+                gear * clip(force, number(actuator_number::kForceLow), number(actuator_number::kForceHigh));
             work.torque[a.dof] = work.torque[a.dof] + clip(clipped, -most, most);
             return;
         }
-        const P k = gear * gear * number(actuator_number::kBiasPosition), d = gear * gear * number(actuator_number::kBiasVelocity);
+        const P k = gear * gear * number(actuator_number::kBiasPosition),
+                d = gear * gear * number(actuator_number::kBiasVelocity);
         const P gain = d + h * k, at_rest = gear * force - k * q[a.position];
         if (dof.servo >= 0) {
             ServoWork<P>& its = servos[dof.servo];

@@ -24,8 +24,7 @@ struct GroupLayout {
           residual(bad + 1),
           sweeps(residual + 1),
           rows(sweeps + 1)
-    {
-    }
+    {}
 };
 
 }  // namespace epode::batch

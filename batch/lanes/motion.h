@@ -17,8 +17,11 @@ template <typename P>
 EPODE_LANEWISE Mat3Of<P> matrix_of(const Vec4Of<P>& q)
 {
     const P one(1), x = q.x + q.x, y = q.y + q.y, z = q.z + q.z;
-    const P wx = q.w * x, wy = q.w * y, wz = q.w * z, xx = q.x * x, xy = q.x * y, xz = q.x * z, yy = q.y * y, yz = q.y * z, zz = q.z * z;
-    return {{one - (yy + zz), xy - wz, xz + wy}, {xy + wz, one - (xx + zz), yz - wx}, {xz - wy, yz + wx, one - (xx + yy)}};
+    const P wx = q.w * x, wy = q.w * y, wz = q.w * z, xx = q.x * x, xy = q.x * y, xz = q.x * z, yy = q.y * y,
+            yz = q.y * z, zz = q.z * z;
+    return {{one - (yy + zz), xy - wz, xz + wy},
+            {xy + wz, one - (xx + zz), yz - wx},
+            {xz - wy, yz + wx, one - (xx + yy)}};
 }
 
 // V x (S v), both motions.
@@ -97,7 +100,8 @@ struct Motion {
     void hinge(const BatchJoint& joint, LinkWork<P>& its) const
     {
         const Vec3Of<P> axis = numbers.vec(joint.first + joint_number::kAxis);
-        const SineCosine<P> half = half_turn(q[joint.position] - numbers[joint.first + joint_number::kReference]);
+        const SineCosine<P> half =
+            half_turn(q[joint.position] - numbers[joint.first + joint_number::kReference]);
         const Vec3Of<P> anchor = numbers.vec(joint.first + joint_number::kAnchor);
         const Vec3Of<P> at = joint.is_at_origin ? its.p : its.p + its.r * anchor;
         its.q = its.q * Vec4Of<P>{half.cosine, half.sine * axis.x, half.sine * axis.y, half.sine * axis.z};
@@ -117,8 +121,10 @@ struct Motion {
     // Its three axes are the link's, and turn with it: V_before x (S v) once, of all three.
     void ball(const BatchJoint& joint, LinkWork<P>& its) const
     {
-        const Vec3Of<P> anchor = numbers.vec(joint.first + joint_number::kAnchor), at = its.p + its.r * anchor;
-        its.q = its.q * Vec4Of<P>{q[joint.position], q[joint.position + 1], q[joint.position + 2], q[joint.position + 3]};
+        const Vec3Of<P> anchor = numbers.vec(joint.first + joint_number::kAnchor),
+                        at = its.p + its.r * anchor;
+        its.q = its.q * Vec4Of<P>{q[joint.position], q[joint.position + 1], q[joint.position + 2],
+                                  q[joint.position + 3]};
         its.r = matrix_of(its.q);
         its.p = at - its.r * anchor;
         const Vec3Of<P> axes[3] = {{its.r.row0.x, its.r.row1.x, its.r.row2.x},
@@ -140,8 +146,10 @@ struct Motion {
         work.origin[tree] = {at[0], at[1], at[2]};
         its.q = {at[3], at[4], at[5], at[6]};
         its.r = matrix_of(its.q), its.p = {zero, zero, zero};
-        const Vec3Of<P> none{zero, zero, zero}, axes[3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
-        for (int k = 0; k < 3; ++k) work.s[joint.dof + k] = {none, axes[k]}, work.s[joint.dof + 3 + k] = {axes[k], none};
+        const Vec3Of<P> none{zero, zero, zero},
+            axes[3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+        for (int k = 0; k < 3; ++k)
+            work.s[joint.dof + k] = {none, axes[k]}, work.s[joint.dof + 3 + k] = {axes[k], none};
         its.velocity = {{u[3], u[4], u[5]}, {u[0], u[1], u[2]}};
         its.acceleration.v = its.acceleration.v + cross(its.velocity.v, its.velocity.w);
     }
@@ -153,13 +161,15 @@ struct Motion {
         const P m = numbers[first + link_number::kMass];
         const Vec3Of<P> c = its.p + its.r * numbers.vec(first + link_number::kCentre);
         const int i = first + link_number::kInertia;
-        const Sym3Of<P> local{numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3], numbers[i + 4], numbers[i + 5]};
+        const Sym3Of<P> local{numbers[i],     numbers[i + 1], numbers[i + 2],
+                              numbers[i + 3], numbers[i + 4], numbers[i + 5]};
         const Vec3Of<P> x = local * its.r.row0, y = local * its.r.row1, z = local * its.r.row2;
         const Vec3Of<P> h = m * c;
         const P xx = h.x * c.x, yy = h.y * c.y, zz = h.z * c.z;
         its.inertia.m = m, its.inertia.h = h;
-        its.inertia.j = {dot(its.r.row0, x) + (yy + zz), dot(its.r.row1, y) + (xx + zz), dot(its.r.row2, z) + (xx + yy),
-                         dot(its.r.row0, y) - h.x * c.y, dot(its.r.row0, z) - h.x * c.z, dot(its.r.row1, z) - h.y * c.z};
+        its.inertia.j = {dot(its.r.row0, x) + (yy + zz), dot(its.r.row1, y) + (xx + zz),
+                         dot(its.r.row2, z) + (xx + yy), dot(its.r.row0, y) - h.x * c.y,
+                         dot(its.r.row0, z) - h.x * c.z, dot(its.r.row1, z) - h.y * c.z};
         const Spatial<P> momentum = its.inertia * its.velocity;
         its.force = its.inertia * its.acceleration + crossed_force(its.velocity, momentum);
         if (!link.is_weightless) return;

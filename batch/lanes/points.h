@@ -38,9 +38,11 @@ struct Points {
         const Vec3Of<P> size = numbers.vec(its.first + shape_number::kSize);
         const Vec3Of<P> at = link.p + link.r * numbers.vec(its.first + shape_number::kPlace);
         const int other = model.links[its.link].tree;
-        const Mat3Of<P> r = its.is_turned ? matrix_of(link.q * numbers.quat(its.first + shape_number::kTurn)) : link.r;
+        const Mat3Of<P> r =
+            its.is_turned ? matrix_of(link.q * numbers.quat(its.first + shape_number::kTurn)) : link.r;
         if (its.link == 0) return {at - work.origin[tree], r, size.x, size.y, size.z};
-        return {other == tree ? at : at + (work.origin[other] - work.origin[tree]), r, size.x, size.y, size.z};
+        return {other == tree ? at : at + (work.origin[other] - work.origin[tree]), r, size.x, size.y,
+                size.z};
     }
 
     EPODE_LANEWISE void put(int k, const P& gap, const Vec3Of<P>& point, const Vec3Of<P>& normal) const
@@ -49,17 +51,20 @@ struct Points {
     }
 
     // A round of radius r about a point against the plane.
-    EPODE_LANEWISE void round_plane(int k, const Vec3Of<P>& centre, const P& radius, const Placed<P>& plane) const
+    EPODE_LANEWISE void round_plane(int k, const Vec3Of<P>& centre, const P& radius,
+                                    const Placed<P>& plane) const
     {
         const Vec3Of<P> n = plane.axis();
         const P gap = dot(n, centre - plane.at) - radius;
         put(k, gap, shifted(centre, -(radius + P(typename P::Number(0.5)) * gap), n), n);
     }
 
-    EPODE_LANEWISE void two_rounds(int k, const Vec3Of<P>& a, const P& ra, const Vec3Of<P>& b, const P& rb) const
+    EPODE_LANEWISE void two_rounds(int k, const Vec3Of<P>& a, const P& ra, const Vec3Of<P>& b,
+                                   const P& rb) const
     {
         const Vec3Of<P> apart = a - b;
-        const P square = dot(apart, apart), distance = square_root(square), inverse = inverse_or_zero(distance);
+        const P square = dot(apart, apart), distance = square_root(square),
+                inverse = inverse_or_zero(distance);
         const Vec3Of<P> n{inverse * apart.x, inverse * apart.y, if_positive(square, inverse * apart.z, P(1))};
         const P gap = distance - (ra + rb);
         put(k, gap, shifted(b, rb + P(typename P::Number(0.5)) * gap, n), n);
@@ -84,7 +89,8 @@ struct Points {
             case PointKind::kSphereSphere:
                 return two_rounds(0, a.at, a.x, b.at, b.x);
             case PointKind::kSphereCapsule:
-                return two_rounds(0, a.at, a.x, shifted(b.at, clip(dot(a.at - b.at, b.axis()), -b.y, b.y), b.axis()), b.x);
+                return two_rounds(0, a.at, a.x,
+                                  shifted(b.at, clip(dot(a.at - b.at, b.axis()), -b.y, b.y), b.axis()), b.x);
             case PointKind::kCapsuleCapsule:
                 return two_capsules(a, b);
             case PointKind::kSphereBox:
@@ -109,7 +115,8 @@ struct Points {
         const Vec3Of<P> across = n - along * axis;
         const P square = dot(across, across), inverse = inverse_or_zero(square_root(square)), flat(T(1e-12));
         const Vec3Of<P> side{its.r.row0.x, its.r.row1.x, its.r.row2.x};
-        const Vec3Of<P> down{-if_greater(square, flat, inverse * across.x, side.x), -if_greater(square, flat, inverse * across.y, side.y),
+        const Vec3Of<P> down{-if_greater(square, flat, inverse * across.x, side.x),
+                             -if_greater(square, flat, inverse * across.y, side.y),
                              -if_greater(square, flat, inverse * across.z, side.z)};
         const Vec3Of<P> beside = cross(axis, down), low = shifted(its.at, lower, axis);
         const P half = P(T(-0.5)) * its.x, wide = P(T(0.86602540378443864676)) * its.x;
@@ -122,9 +129,11 @@ struct Points {
     // The lowest point: c - R (a^2 u) / |a u|, u = R' n.
     void ellipsoid_plane(const Placed<P>& its, const Placed<P>& plane) const
     {
-        const Vec3Of<P> u = transposed_times(its.r, plane.axis()), scaled{its.x * u.x, its.y * u.y, its.z * u.z};
+        const Vec3Of<P> u = transposed_times(its.r, plane.axis()),
+                        scaled{its.x * u.x, its.y * u.y, its.z * u.z};
         const P inverse = inverse_or_zero(square_root(dot(scaled, scaled)));
-        const Vec3Of<P> down{its.x * (inverse * scaled.x), its.y * (inverse * scaled.y), its.z * (inverse * scaled.z)};
+        const Vec3Of<P> down{its.x * (inverse * scaled.x), its.y * (inverse * scaled.y),
+                             its.z * (inverse * scaled.z)};
         round_plane(0, its.at - its.r * down, P(0), plane);
     }
 
@@ -133,7 +142,8 @@ struct Points {
     {
         using T = typename P::Number;
         const Vec3Of<P> u = one.axis(), w = two.axis(), apart = one.at - two.at;
-        const P cosine = dot(u, w), sine2 = P(1) - cosine * cosine, along_u = dot(u, apart), along_w = dot(w, apart);
+        const P cosine = dot(u, w), sine2 = P(1) - cosine * cosine, along_u = dot(u, apart),
+                along_w = dot(w, apart);
         const P best = (cosine * along_w - along_u) / at_least(P(T(1e-6)), sine2);
         const P s0 = clip(if_greater(sine2, P(T(1e-6)), best, P(0)), -one.y, one.y);
         const P t = clip(cosine * s0 + along_w, -two.y, two.y), s = clip(cosine * t - along_u, -one.y, one.y);
@@ -144,12 +154,16 @@ struct Points {
     void sphere_box(const Placed<P>& ball, const Placed<P>& box) const
     {
         const Vec3Of<P> local = transposed_times(box.r, ball.at - box.at);
-        const Vec3Of<P> nearest{clip(local.x, -box.x, box.x), clip(local.y, -box.y, box.y), clip(local.z, -box.z, box.z)};
+        const Vec3Of<P> nearest{clip(local.x, -box.x, box.x), clip(local.y, -box.y, box.y),
+                                clip(local.z, -box.z, box.z)};
         const Vec3Of<P> out = local - nearest;
         const P square = dot(out, out), distance = square_root(square), inverse = inverse_or_zero(distance);
-        const P dx = box.x - magnitude(local.x), dy = box.y - magnitude(local.y), dz = box.z - magnitude(local.z);
+        const P dx = box.x - magnitude(local.x), dy = box.y - magnitude(local.y),
+                dz = box.z - magnitude(local.z);
         const P zero(0), one(1), least = at_most(dx, at_most(dy, dz));
-        const auto face = [&](const P& depth, const P& at) { return if_greater(depth, least, zero, if_greater(zero, at, -one, one)); };
+        const auto face = [&](const P& depth, const P& at) {
+            return if_greater(depth, least, zero, if_greater(zero, at, -one, one));
+        };
         const P fx = face(dx, local.x), fy = if_positive(magnitude(fx), zero, face(dy, local.y)),
                 fz = if_positive(magnitude(fx) + magnitude(fy), zero, face(dz, local.z));
         const Vec3Of<P> n{if_positive(square, inverse * out.x, fx), if_positive(square, inverse * out.y, fy),

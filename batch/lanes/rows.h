@@ -43,7 +43,8 @@ EPODE_LANEWISE Law<P> law_of(const P& gap, const P& stiffness, const P& damping,
 template <typename P>
 EPODE_LANEWISE void tangents(const Vec3Of<P>& n, Vec3Of<P>& t1, Vec3Of<P>& t2)
 {
-    const P zero(0), one(1), sign = if_greater(zero, n.z, -one, one), a = -one / (sign + n.z), b = n.x * n.y * a;
+    const P zero(0), one(1), sign = if_greater(zero, n.z, -one, one), a = -one / (sign + n.z),
+                             b = n.x * n.y * a;
     t1 = {one + sign * (n.x * n.x * a), sign * b, -(sign * n.x)};
     t2 = {b, sign + n.y * n.y * a, -n.y};
 }
@@ -107,7 +108,8 @@ struct Rows {
     {
         *row.impulse = clip(if_positive(row.d, P(T(options.h)) * forces[at], P(0)), row.low, row.high);
         const int* chain = model.chains.first + row.dof->chain;
-        for (int k = 0; k <= row.dof->depth; ++k) work.z[chain[k]] = work.z[chain[k]] + row.sign * (row.y[k] * *row.impulse);
+        for (int k = 0; k <= row.dof->depth; ++k)
+            work.z[chain[k]] = work.z[chain[k]] + row.sign * (row.y[k] * *row.impulse);
     }
 
     void dry(const Dof& dof) const
@@ -134,14 +136,15 @@ struct Rows {
     {
         const int at = limit_at(dof), number = model.chains[dof.chain + dof.depth];
         const P position = q[model.joints[dof.joint].position], zero(0), one(1);
-        const P below = position - numbers[dof.first + dof_number::kLow], above = numbers[dof.first + dof_number::kHigh] - position;
+        const P below = position - numbers[dof.first + dof_number::kLow],
+                above = numbers[dof.first + dof_number::kHigh] - position;
         const P sign = if_greater(below, above, -one, one), gap = at_most(below, above);
         const P reach = P(T(kNearLimit)) + P(T(2 * options.h)) * magnitude(v[number]);
         const P near = if_greater(reach, gap, one, zero);
         work.impulses[at] = zero;
         if (!is_anywhere(near)) return;
-        const Law<P> law = law_of(gap, numbers[dof.first + dof_number::kStopStiffness], numbers[dof.first + dof_number::kStopDamping],
-                                  options);
+        const Law<P> law = law_of(gap, numbers[dof.first + dof_number::kStopStiffness],
+                                  numbers[dof.first + dof_number::kStopDamping], options);
         SingleRow<P>& row = single(dof, at, sign, near, law);
         row.low = zero, row.high = if_positive(near, P(T(1e30)), zero);
         begin(row, at);
@@ -158,7 +161,10 @@ struct Rows {
         }
     }
 
-    Vec3Of<P> to_b(const Support& support) const { return work.origin[support.tree_b] - work.origin[support.tree_a]; }
+    Vec3Of<P> to_b(const Support& support) const
+    {
+        return work.origin[support.tree_b] - work.origin[support.tree_a];
+    }
 
     // 1 where the gap is within reach of what the surfaces may approach in two steps.
     P nearness(const BatchPair& pair, int k) const
@@ -178,8 +184,8 @@ struct Rows {
     }
 
     // J of one link along its own dofs, in three directions.
-    EPODE_LANEWISE void fill(const Support& support, int from, int count, const Vec3Of<P>& point, const Vec3Of<P>* axes, bool upright,
-                             bool negative, P* y, int width) const
+    EPODE_LANEWISE void fill(const Support& support, int from, int count, const Vec3Of<P>& point,
+                             const Vec3Of<P>* axes, bool upright, bool negative, P* y, int width) const
     {
         for (int k = from; k < from + count; ++k) {
             const Spatial<P>& s = work.s[model.support_dofs[support.first + k]];
@@ -220,14 +226,17 @@ struct Rows {
         Vec3Of<P> axes[3] = {work.normals[k], {}, {}};
         if (!pair.is_upright) tangents(axes[0], axes[1], axes[2]);
         for (int l = 0; l < support.common; ++l) row.y[l] = row.y[width + l] = row.y[2 * width + l] = P(0);
-        fill(support, support.common, support.of_a, work.points[k], axes, pair.is_upright, false, row.y, width);
+        fill(support, support.common, support.of_a, work.points[k], axes, pair.is_upright, false, row.y,
+             width);
         if (support.of_b > 0) {
-            const Vec3Of<P> at = support.tree_a == support.tree_b ? work.points[k] : work.points[k] - to_b(support);
-            fill(support, support.common + support.of_a, support.of_b, at, axes, pair.is_upright, true, row.y, width);
+            const Vec3Of<P> at =
+                support.tree_a == support.tree_b ? work.points[k] : work.points[k] - to_b(support);
+            fill(support, support.common + support.of_a, support.of_b, at, axes, pair.is_upright, true, row.y,
+                 width);
         }
         carry(support, row.y);
-        const Law<P> law = law_of(work.gaps[k], numbers[pair.first + pair_number::kStiffness], numbers[pair.first + pair_number::kDamping],
-                                  options);
+        const Law<P> law = law_of(work.gaps[k], numbers[pair.first + pair_number::kStiffness],
+                                  numbers[pair.first + pair_number::kDamping], options);
         row.bias = law.bias, row.soft = law.soft;
         row.friction = if_positive(near, numbers[pair.first + pair_number::kFriction], P(0));
         find_block(row, width, near);
@@ -239,11 +248,13 @@ struct Rows {
         P d(0), a(0), b(0), c(0), n1(0), n2(0);
         for (int l = 0; l < width; ++l) {
             const P y0 = row.y[l], y1 = row.y[width + l], y2 = row.y[2 * width + l];
-            d = d + y0 * y0, a = a + y1 * y1, b = b + y1 * y2, c = c + y2 * y2, n1 = n1 + y0 * y1, n2 = n2 + y0 * y2;
+            d = d + y0 * y0, a = a + y1 * y1, b = b + y1 * y2, c = c + y2 * y2, n1 = n1 + y0 * y1,
+            n2 = n2 + y0 * y2;
         }
         const P half(T(0.5)), zero(0), mean = half * (a + c), apart = half * (a - c);
         row.d = if_positive(near, d + row.soft, zero), row.mass = inverse_or_zero(row.d);
-        row.e = if_positive(near, mean + square_root(apart * apart + b * b), zero), row.step = inverse_or_zero(row.e);
+        row.e = if_positive(near, mean + square_root(apart * apart + b * b), zero),
+        row.step = inverse_or_zero(row.e);
         row.a = a, row.b = b, row.c = c, row.n1 = n1, row.n2 = n2;
         row.inverse = if_positive(near, inverse_or_zero(a * c - b * b), zero);
     }
@@ -255,7 +266,8 @@ struct Rows {
         const int* dofs = model.support_dofs.first + row.support->first;
         for (int l = 0; l < width; ++l) {
             P& z = work.z[dofs[l]];
-            z = z + row.y[l] * row.impulse[0] + row.y[width + l] * row.impulse[1] + row.y[2 * width + l] * row.impulse[2];
+            z = z + row.y[l] * row.impulse[0] + row.y[width + l] * row.impulse[1] +
+                row.y[2 * width + l] * row.impulse[2];
         }
     }
 

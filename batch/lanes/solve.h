@@ -29,8 +29,10 @@ struct Solve {
         const int* chain = model.chains.first + row.dof->chain;
         P velocity(0);
         for (int k = 0; k <= row.dof->depth; ++k) velocity = velocity + row.y[k] * work.z[chain[k]];
-        const P old = *row.impulse, wanted = old - row.mass * (row.sign * velocity - row.bias + row.soft * old);
-        const P asked = clip(wanted, row.low, row.high) - old, change = if_positive(pace, pace * asked, P(0)), along = row.sign * change;
+        const P old = *row.impulse,
+                wanted = old - row.mass * (row.sign * velocity - row.bias + row.soft * old);
+        const P asked = clip(wanted, row.low, row.high) - old, change = if_positive(pace, pace * asked, P(0)),
+                along = row.sign * change;
         *row.impulse = old + change;
         for (int k = 0; k <= row.dof->depth; ++k) work.z[chain[k]] = work.z[chain[k]] + row.y[k] * along;
         return row.d * magnitude(asked);
@@ -48,19 +50,26 @@ struct Solve {
         }
         const P n = row.impulse[0], s = row.impulse[1], t = row.impulse[2];
         // Where it slides the tangents follow the normal: the normal's own problem is then d + mu e.n, e the direction of sliding.
-        const P radius0 = row.friction * n, slides = if_greater(s * s + t * t, P(T(kSliding)) * (radius0 * radius0), inverse_or_zero(n), zero);
+        const P radius0 = row.friction * n,
+                slides =
+                    if_greater(s * s + t * t, P(T(kSliding)) * (radius0 * radius0), inverse_or_zero(n), zero);
         const P slope = slides * (row.n1 * s + row.n2 * t), least = P(T(kLeastSlope)) * row.d;
-        const P steep = if_greater(row.d + slope, least, row.d + slope, row.d), mass = if_positive(row.mass, P(1) / steep, zero);
+        const P steep = if_greater(row.d + slope, least, row.d + slope, row.d),
+                mass = if_positive(row.mass, P(1) / steep, zero);
         const P normal = at_least(zero, n - mass * (u0 - row.bias + row.soft * n)), dn = normal - n;
         const P follow = slides * dn, s0 = s + follow * s, t0 = t + follow * t, fs = s0 - s, ft = t0 - t;
         u1 = u1 + row.n1 * dn + row.a * fs + row.b * ft, u2 = u2 + row.n2 * dn + row.b * fs + row.c * ft;
         const P radius = row.friction * (n + dn), square = radius * radius;
-        const P stick1 = s0 - row.inverse * (row.c * u1 - row.b * u2), stick2 = t0 - row.inverse * (row.a * u2 - row.b * u1);
-        const P slide1 = s0 - row.step * u1, slide2 = t0 - row.step * u2, length2 = slide1 * slide1 + slide2 * slide2;
+        const P stick1 = s0 - row.inverse * (row.c * u1 - row.b * u2),
+                stick2 = t0 - row.inverse * (row.a * u2 - row.b * u1);
+        const P slide1 = s0 - row.step * u1, slide2 = t0 - row.step * u2,
+                length2 = slide1 * slide1 + slide2 * slide2;
         const P shrink = if_greater(length2, square, radius * inverse_or_zero(square_root(length2)), P(1));
         const P stuck = if_positive(row.inverse, square - (stick1 * stick1 + stick2 * stick2), P(-1));
-        const P ds = if_greater(zero, stuck, shrink * slide1, stick1) - s, dt = if_greater(zero, stuck, shrink * slide2, stick2) - t;
-        const P gn = if_positive(pace, pace * dn, zero), gs = if_positive(pace, pace * ds, zero), gt = if_positive(pace, pace * dt, zero);
+        const P ds = if_greater(zero, stuck, shrink * slide1, stick1) - s,
+                dt = if_greater(zero, stuck, shrink * slide2, stick2) - t;
+        const P gn = if_positive(pace, pace * dn, zero), gs = if_positive(pace, pace * ds, zero),
+                gt = if_positive(pace, pace * dt, zero);
         row.impulse[0] = n + gn, row.impulse[1] = s + gs, row.impulse[2] = t + gt;
         for (int l = 0; l < width; ++l) {
             P& z = work.z[dofs[l]];
@@ -128,7 +137,8 @@ struct Solve {
                 const P gains = if_greater(P(T(kGain)) * least, worst, P(1), P(0));
                 idle = if_positive(gains, P(0), idle + P(1)), least = if_positive(gains, worst, least);
                 alive = if_greater(worst, P(T(options.tolerance)), alive, P(0));
-                alive = if_greater(P(T(kPatience)), idle, alive, if_greater(worst, P(T(kSmall * options.tolerance)), alive, P(0)));
+                alive = if_greater(P(T(kPatience)), idle, alive,
+                                   if_greater(worst, P(T(kSmall * options.tolerance)), alive, P(0)));
                 if (!any_positive(alive) || i + 1 == options.most_sweeps) break;
                 if (i + 1 < kEasy) extrapolate(alive, i == 0);
             }

@@ -29,7 +29,8 @@ void turn_rates(const ModelView& model, const P* q, bool to_world, P* v)
         if (joint.kind != JointKind::kFree) continue;
         const P *at = q + joint.position + 3, sign(to_world ? 1 : -1);
         P* w = v + joint.dof + 3;
-        const Vec3Of<P> out = rotated(Vec4Of<P>{at[0], sign * at[1], sign * at[2], sign * at[3]}, Vec3Of<P>{w[0], w[1], w[2]});
+        const Vec3Of<P> out =
+            rotated(Vec4Of<P>{at[0], sign * at[1], sign * at[2], sign * at[3]}, Vec3Of<P>{w[0], w[1], w[2]});
         w[0] = out.x, w[1] = out.y, w[2] = out.z;
     }
 }
@@ -48,7 +49,9 @@ struct Step {
         P *q = rows_at<P>(group, at.q), *v = rows_at<P>(group, at.v), *forces = rows_at<P>(group, at.forces);
         const P h(T(options.h));
         Motion<P, own>{model, numbers, q, v, work}.find();
-        Drives<P, own>{model, numbers, q, v, rows_at<P>(group, at.control), rows_at<P>(group, at.applied), h, work}.find();
+        Drives<P, own>{model, numbers, q, v, rows_at<P>(group, at.control), rows_at<P>(group, at.applied),
+                       h,     work}
+            .find();
         find_mass(model, work);
         factor(model, work);
         find_free_motion(model, v, h, work);
@@ -63,7 +66,8 @@ struct Step {
     {
         const P most(T(sizeof(T) == 4 ? 1e15 : 1e60)), zero(0);
         P good = if_positive(bad, zero, P(1));
-        for (int i = 0; i < model.velocities; ++i) good = if_greater(most, magnitude_or_nan(work.v[i]), good, zero);
+        for (int i = 0; i < model.velocities; ++i)
+            good = if_greater(most, magnitude_or_nan(work.v[i]), good, zero);
         return good;
     }
 
@@ -78,7 +82,8 @@ struct Step {
         // Plus zero: a zero has one sign, whatever the neighbours' rows were.
         for (int i = 0; i < model.velocities; ++i) v[i] = if_positive(good, work.v[i] + zero, v[i]);
         for (int i = 0; i < model.positions; ++i) q[i] = if_positive(good, next[i] + zero, q[i]);
-        for (int i = 0; i < model.impulses(); ++i) forces[i] = if_positive(good, rate * work.impulses[i] + zero, zero);
+        for (int i = 0; i < model.impulses(); ++i)
+            forces[i] = if_positive(good, rate * work.impulses[i] + zero, zero);
         bad = if_positive(good, zero, P(1));
         *rows_at<P>(group, at.residual) = work.worst, *rows_at<P>(group, at.sweeps) = work.sweeps;
     }

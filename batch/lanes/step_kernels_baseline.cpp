@@ -3,7 +3,6 @@
 //
 // The step of a group compiled for every machine: 16-byte registers. See kernels.inc.
 
-
 #include "batch/lanes/kernels.inc"
 
 namespace epode::batch {
@@ -14,4 +13,3 @@ extern const Kernels<double> kBaselineDoubleKernels;
 constinit const Kernels<double> kBaselineDoubleKernels = kernels_of<double>();
 
 }  // namespace epode::batch
-

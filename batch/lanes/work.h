@@ -72,12 +72,12 @@ struct LinkWork {
 template <typename P>
 struct ContactRow {
     const Support* support;
-    P* y;        // of normal and two tangents, one behind the other along the support
-    P* impulse;  // three
+    P* y;                          // of normal and two tangents, one behind the other along the support
+    P* impulse;                    // three
     P bias, soft, mass, friction;  // J v + soft impulse >= bias; 1 / mass = 1 / (y.y + soft)
-    P d, e;                        // y.y + soft; the largest eigenvalue of the tangents' block, 0 in copies that are far
-    P a, b, c, n1, n2;             // that block, and normal times tangents
-    P inverse, step;               // 1 / (a c - b^2), 1 / e
+    P d, e;             // y.y + soft; the largest eigenvalue of the tangents' block, 0 in copies that are far
+    P a, b, c, n1, n2;  // that block, and normal times tangents
+    P inverse, step;    // 1 / (a c - b^2), 1 / e
 };
 
 // A limit, dry friction or a limited servo: a row of one dof.
@@ -101,23 +101,23 @@ struct Work {
     using T = typename P::Number;
 
     LinkWork<P>* link;
-    Spatial<P>* s;       // of each dof
-    Vec3Of<P>* origin;   // O of each tree, in the world; one more, the world's own
-    P *m, *d, *root;     // L below its diagonal, along chains; D^-1; D^-1/2
-    P *torque, *added;   // of dofs; what joins M's diagonal
+    Spatial<P>* s;      // of each dof
+    Vec3Of<P>* origin;  // O of each tree, in the world; one more, the world's own
+    P *m, *d, *root;    // L below its diagonal, along chains; D^-1; D^-1/2
+    P *torque, *added;  // of dofs; what joins M's diagonal
     ServoWork<P>* servos;
     P *z, *v;
     P *before, *last, *change;  // of extrapolation (solve.h)
     P* rows;
-    P* columns;          // y of single dofs, along their chains
+    P* columns;  // y of single dofs, along their chains
     bool* has_column;
     ContactRow<P>* contacts;
     SingleRow<P>* singles;
     P *impulses, *last_impulses;
-    P* gaps;             // of a pair's points
+    P* gaps;  // of a pair's points
     Vec3Of<P>*points, *normals;
     int contact_count, single_count, row_end;
-    P worst, sweeps;     // residual at the end, sweeps taken
+    P worst, sweeps;  // residual at the end, sweeps taken
 
     EPODE_LANEWISE std::size_t lay_out(const ModelView& model, char* memory)
     {
@@ -130,9 +130,11 @@ struct Work {
         const int dofs = model.dofs.size(), impulse_count = model.impulses();
         place(link, model.links.size()), place(s, dofs), place(origin, model.trees + 1);
         place(m, model.entries), place(d, dofs), place(root, dofs), place(torque, dofs), place(added, dofs);
-        place(servos, model.servos), place(z, dofs), place(v, dofs), place(before, dofs), place(last, dofs), place(change, dofs);
+        place(servos, model.servos), place(z, dofs), place(v, dofs), place(before, dofs), place(last, dofs),
+            place(change, dofs);
         int widest = 0;
-        for (const BatchPair& pair : model.pairs) widest += 3 * pair.slots * model.supports[pair.support].count();
+        for (const BatchPair& pair : model.pairs)
+            widest += 3 * pair.slots * model.supports[pair.support].count();
         place(rows, widest), place(columns, model.entries), place(has_column, dofs);
         place(contacts, model.slots), place(singles, model.limits + model.dry + model.servos);
         place(impulses, impulse_count), place(last_impulses, impulse_count);
@@ -155,7 +157,10 @@ struct Numbers {
         return out;
     }
     EPODE_LANEWISE Vec3Of<P> vec(int i) const { return {(*this)[i], (*this)[i + 1], (*this)[i + 2]}; }
-    EPODE_LANEWISE Vec4Of<P> quat(int i) const { return {(*this)[i], (*this)[i + 1], (*this)[i + 2], (*this)[i + 3]}; }
+    EPODE_LANEWISE Vec4Of<P> quat(int i) const
+    {
+        return {(*this)[i], (*this)[i + 1], (*this)[i + 2], (*this)[i + 3]};
+    }
 };
 
 }  // namespace

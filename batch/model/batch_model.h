@@ -19,13 +19,32 @@ using robots::JointKind;
 
 // Numbers of an element, counted from its `first`.
 namespace link_number {
-enum : int { kPlace = 0, kTurn = 3, kMass = 7, kCentre = 8, kInertia = 11, kCount = 17 };  // inertia xx yy zz xy xz yz
+enum : int {
+    kPlace = 0,
+    kTurn = 3,
+    kMass = 7,
+    kCentre = 8,
+    kInertia = 11,
+    kCount = 17
+};  // inertia xx yy zz xy xz yz
 }
 namespace joint_number {
 enum : int { kAxis = 0, kAnchor = 3, kReference = 6, kCount = 7 };
 }
 namespace dof_number {
-enum : int { kArmature, kDamping, kStiffness, kRest, kFriction, kLow, kHigh, kStopStiffness, kStopDamping, kForceLimit, kCount };
+enum : int {
+    kArmature,
+    kDamping,
+    kStiffness,
+    kRest,
+    kFriction,
+    kLow,
+    kHigh,
+    kStopStiffness,
+    kStopDamping,
+    kForceLimit,
+    kCount
+};
 }
 namespace actuator_number {
 enum : int { kGear, kGain, kBias, kBiasPosition, kBiasVelocity, kLow, kHigh, kForceLow, kForceHigh, kCount };
@@ -39,9 +58,9 @@ enum : int { kFriction, kStiffness, kDamping, kCount };  // stiffness 0: rigid
 
 struct BatchLink {
     int parent = 0, first_joint = 0, joints = 0;
-    int tree = 0;         // which floating or fixed base carries it
-    int first = 0;        // of its numbers
-    int last_dof = -1;    // the deepest that moves it; -1: it stands still
+    int tree = 0;           // which floating or fixed base carries it
+    int first = 0;          // of its numbers
+    int last_dof = -1;      // the deepest that moves it; -1: it stands still
     bool is_turned = true;  // against its parent, at the reference
     bool is_weightless = false;
 };
@@ -55,7 +74,7 @@ struct BatchJoint {
 struct Dof {
     int link = 0, joint = 0, depth = 0;  // depth: how many ancestors it has
     int chain = 0;                       // where its chain begins among all
-    int row = 0;                         // where its row of the mass matrix begins: along the chain, itself last
+    int row = 0;  // where its row of the mass matrix begins: along the chain, itself last
     int first = 0;
     bool is_limited = false, has_friction = false, is_scalar = false;
     int limit = -1, dry = -1, servo = -1;  // which warm impulse is whose
@@ -67,7 +86,15 @@ struct BatchActuator {
 };
 
 enum class PointKind {  // of a pair: the shape of link a, then that of link b
-    kSpherePlane, kCapsulePlane, kBoxPlane, kCylinderPlane, kEllipsoidPlane, kSphereSphere, kSphereCapsule, kCapsuleCapsule, kSphereBox
+    kSpherePlane,
+    kCapsulePlane,
+    kBoxPlane,
+    kCylinderPlane,
+    kEllipsoidPlane,
+    kSphereSphere,
+    kSphereCapsule,
+    kCapsuleCapsule,
+    kSphereBox
 };
 int points_of(PointKind kind);
 
@@ -81,8 +108,8 @@ struct BatchPair {
     PointKind kind = PointKind::kSpherePlane;
     int shape_a = 0, shape_b = 0, first = 0;
     int slots = 0, first_slot = 0;
-    int support = 0;                // of its rows, among all supports
-    bool is_upright = false;        // a plane whose normal is z
+    int support = 0;          // of its rows, among all supports
+    bool is_upright = false;  // a plane whose normal is z
 };
 
 // The dofs that a contact between two links moves: those that both have, whose own effects cancel, then those of one and of the other.
@@ -105,9 +132,10 @@ struct BatchModel {
     std::vector<int> support_dofs;
     std::vector<double> numbers;
     std::vector<double> reference;  // positions
-    int positions = 0, velocities = 0, controls = 0, trees = 0, slots = 0, entries = 0;  // entries: of the mass matrix
+    int positions = 0, velocities = 0, controls = 0, trees = 0, slots = 0,
+        entries = 0;                      // entries: of the mass matrix
     int limits = 0, dry = 0, servos = 0;  // rows that they may make
-    int gravity = 0;                       // where its three numbers begin
+    int gravity = 0;                      // where its three numbers begin
     // Of all rows of constraints the impulses of the last step, three a slot of contact.
     int impulses() const { return 3 * slots + limits + dry + servos; }
 };

@@ -40,18 +40,21 @@ void add_link(BatchModel& out, const Link& link)
     const Pose& at = link.pose;
     its.is_turned = at.q.x != 0 || at.q.y != 0 || at.q.z != 0;
     const Matrix i = usable_inertia(link);
-    its.first = add(out.numbers, {at.p.x, at.p.y, at.p.z, at.q.w, at.q.x, at.q.y, at.q.z, link.mass, link.centre.x, link.centre.y,
-                                  link.centre.z, i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]});
+    its.first = add(out.numbers,
+                    {at.p.x, at.p.y, at.p.z, at.q.w, at.q.x, at.q.y, at.q.z, link.mass, link.centre.x,
+                     link.centre.y, link.centre.z, i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]});
     out.links.push_back(its);
 }
 
 void add_joint(BatchModel& out, const Joint& joint)
 {
     BatchJoint its;
-    its.kind = joint.kind, its.link = joint.link, its.position = joint.position, its.dof = int(out.dofs.size());
+    its.kind = joint.kind, its.link = joint.link, its.position = joint.position,
+    its.dof = int(out.dofs.size());
     its.is_at_origin = joint.anchor.x == 0 && joint.anchor.y == 0 && joint.anchor.z == 0;
     const Vec axis = (1 / length(joint.axis)) * joint.axis;
-    its.first = add(out.numbers, {axis.x, axis.y, axis.z, joint.anchor.x, joint.anchor.y, joint.anchor.z, joint.reference});
+    its.first = add(out.numbers, {axis.x, axis.y, axis.z, joint.anchor.x, joint.anchor.y, joint.anchor.z,
+                                  joint.reference});
     out.joints.push_back(its);
 }
 
@@ -67,12 +70,14 @@ void add_dof(BatchModel& out, const Joint& joint, const Spring& stop)
     const int before = dof_before(out, joint.link);
     its.depth = before < 0 ? 0 : out.dofs[size_t(before)].depth + 1;
     its.chain = int(out.chains.size());
-    for (int i = 0; i < its.depth; ++i) out.chains.push_back(out.chains[size_t(out.dofs[size_t(before)].chain + i)]);
+    for (int i = 0; i < its.depth; ++i)
+        out.chains.push_back(out.chains[size_t(out.dofs[size_t(before)].chain + i)]);
     out.chains.push_back(int(out.dofs.size()));
     its.row = out.entries, out.entries += its.depth + 1;
     const double limit = joint.max_force > 0 ? joint.max_force : kFar;
-    its.first = add(out.numbers, {joint.armature, joint.damping, joint.stiffness, joint.spring_reference, joint.friction,
-                                  within_far(joint.low), within_far(joint.high), stop.stiffness, stop.damping, within_far(limit)});
+    its.first = add(out.numbers, {joint.armature, joint.damping, joint.stiffness, joint.spring_reference,
+                                  joint.friction, within_far(joint.low), within_far(joint.high),
+                                  stop.stiffness, stop.damping, within_far(limit)});
     if (its.is_limited) its.limit = out.limits++;
     if (its.has_friction) its.dry = out.dry++;
     out.links[size_t(joint.link)].last_dof = int(out.dofs.size());
@@ -110,8 +115,8 @@ void add_actuator(BatchModel& out, const RobotModel& model, const Actuator& a)
     const BatchJoint& joint = out.joints[size_t(a.joint)];
     its.dof = joint.dof, its.position = joint.position;
     its.is_servo = a.bias_position != 0 || a.bias_velocity != 0;
-    its.first = add(out.numbers, {a.gear, a.gain, a.bias, a.bias_position, a.bias_velocity, within_far(a.low), within_far(a.high),
-                                  within_far(a.force_low), within_far(a.force_high)});
+    its.first = add(out.numbers, {a.gear, a.gain, a.bias, a.bias_position, a.bias_velocity, within_far(a.low),
+                                  within_far(a.high), within_far(a.force_low), within_far(a.force_high)});
     out.actuators.push_back(its);
     // A servo whose force is limited is a row of its own where it may reach its limit.
     Dof& dof = out.dofs[size_t(its.dof)];
@@ -130,8 +135,8 @@ void add_shapes(BatchModel& out, const RobotModel& model)
             BatchShape its;
             const Pose& at = shape.pose;
             its.link = int(i), its.is_turned = at.q.x != 0 || at.q.y != 0 || at.q.z != 0;
-            its.first = add(out.numbers, {at.p.x, at.p.y, at.p.z, at.q.w, at.q.x, at.q.y, at.q.z, shape.size.x, shape.size.y,
-                                          shape.size.z});
+            its.first = add(out.numbers, {at.p.x, at.p.y, at.p.z, at.q.w, at.q.x, at.q.y, at.q.z,
+                                          shape.size.x, shape.size.y, shape.size.z});
             out.shapes.push_back(its);
         }
 }
@@ -157,7 +162,8 @@ bool compile(const Prepared& prepared, BatchModel& out, std::string& refusal)
     const RobotModel& model = prepared.model();
     out = BatchModel{};
     refusal = refusal_of(model);
-    if (refusal.empty() && !is_in_order(model)) refusal = "the joints do not stand in the order of their links";
+    if (refusal.empty() && !is_in_order(model))
+        refusal = "the joints do not stand in the order of their links";
     if (!refusal.empty()) return false;
     out.name = model.name;
     out.gravity = add(out.numbers, {model.gravity.x, model.gravity.y, model.gravity.z});
@@ -166,7 +172,8 @@ bool compile(const Prepared& prepared, BatchModel& out, std::string& refusal)
     for (const Actuator& actuator : model.actuators) add_actuator(out, model, actuator);
     add_shapes(out, model);
     out.reference = reference_positions(model);
-    out.positions = model.coordinates, out.velocities = int(out.dofs.size()), out.controls = int(out.actuators.size());
+    out.positions = model.coordinates, out.velocities = int(out.dofs.size()),
+    out.controls = int(out.actuators.size());
     return add_pairs(out, prepared, refusal);
 }
 

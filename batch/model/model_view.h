@@ -49,8 +49,7 @@ struct ModelView {
           dry(model.dry),
           servos(model.servos),
           gravity(model.gravity)
-    {
-    }
+    {}
 
     Items<BatchLink> links;
     Items<BatchJoint> joints;

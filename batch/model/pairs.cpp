@@ -50,7 +50,8 @@ struct Touching {  // a shape of a model
 
 class Pairs {
   public:
-    Pairs(BatchModel& out, const Prepared& prepared) : out_(out), prepared_(prepared), model_(prepared.model())
+    Pairs(BatchModel& out, const Prepared& prepared)
+        : out_(out), prepared_(prepared), model_(prepared.model())
     {
         int number = 0;
         for (size_t i = 0; i < model_.links.size(); ++i)
@@ -66,7 +67,8 @@ class Pairs {
                 if (!may_touch(shapes_[i], shapes_[k])) continue;
                 const auto kind = kind_of(shapes_[i].shape->kind, shapes_[k].shape->kind);
                 if (!kind) return refusal(shapes_[i], shapes_[k]);
-                kind->is_swapped ? add(kind->kind, shapes_[k], shapes_[i]) : add(kind->kind, shapes_[i], shapes_[k]);
+                kind->is_swapped ? add(kind->kind, shapes_[k], shapes_[i])
+                                 : add(kind->kind, shapes_[i], shapes_[k]);
             }
         return {};
     }
@@ -79,7 +81,9 @@ class Pairs {
     {
         const auto [parent, child] = std::minmax(one, two);
         if (model_.links[size_t(child)].parent != parent) return false;
-        return parent != 0 || !model_.touches_itself;  // what is jointed to the world may touch its shapes (robots/build.cpp)
+        return parent != 0 ||
+               !model_
+                    .touches_itself;  // what is jointed to the world may touch its shapes (robots/build.cpp)
     }
 
     bool may_touch(const Touching& a, const Touching& b) const
@@ -93,9 +97,11 @@ class Pairs {
     std::string refusal(const Touching& a, const Touching& b) const
     {
         const auto its = [&](const Touching& t) {
-            return std::string(name_of(t.shape->kind)) + " '" + t.shape->name + "' of link '" + model_.links[size_t(t.link)].name + "'";
+            return std::string(name_of(t.shape->kind)) + " '" + t.shape->name + "' of link '" +
+                   model_.links[size_t(t.link)].name + "'";
         };
-        return its(a) + " and " + its(b) + " may touch: a batch has no contacts between such shapes; exclude the pair";
+        return its(a) + " and " + its(b) +
+               " may touch: a batch has no contacts between such shapes; exclude the pair";
     }
 
     void add(PointKind kind, const Touching& a, const Touching& b)
@@ -107,7 +113,8 @@ class Pairs {
         pair.is_upright = b.shape->kind == ShapeKind::kPlane && is_upright(b);
         const double one = a.shape->friction, two = b.shape->friction;
         const double friction = model_.largest_friction ? std::max(one, two) : std::sqrt(one * two);
-        const Spring spring = in_series(prepared_.springs().of_shape(a.link, *a.shape), prepared_.springs().of_shape(b.link, *b.shape));
+        const Spring spring = in_series(prepared_.springs().of_shape(a.link, *a.shape),
+                                        prepared_.springs().of_shape(b.link, *b.shape));
         pair.first = int(out_.numbers.size());
         out_.numbers.insert(out_.numbers.end(), {friction, spring.stiffness, spring.damping});
         out_.pairs.push_back(pair);

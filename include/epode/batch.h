@@ -38,10 +38,11 @@ typedef struct dBatchOptions {
     int threads;          /**< that step, the caller included; 0: as many as the machine has */
     int max_sweeps;       /**< over all constraints in a step, 1 or more: 200 */
     dReal stepsize;       /**< s, above 0: 0.002 */
-    dReal erp;            /**< share of an overlap, or of a limit passed, that a step takes back, 0 to 1: 0.2 */
+    dReal erp; /**< share of an overlap, or of a limit passed, that a step takes back, 0 to 1: 0.2 */
     dReal max_correction; /**< speed of taking back, m/s or rad/s, 0 or more: 2 */
     dReal reach;          /**< surfaces nearer than this are looked at in any case, m, 0 or more: 0.005 */
-    dReal tolerance;      /**< sweeps end when the last one changed no speed by more, m/s; 0: 1e-5 in floats, 1e-6 in doubles */
+    dReal
+        tolerance; /**< sweeps end when the last one changed no speed by more, m/s; 0: 1e-5 in floats, 1e-6 in doubles */
 } dBatchOptions;
 
 /** Fills *options with defaults, and writes struct_size, which is sizeof(dBatchOptions), to it. Returns 1.
@@ -50,15 +51,15 @@ ODE_API int dBatchOptionsInit(dBatchOptions* options, unsigned struct_size);
 
 /** What of the copies is read or written. */
 typedef enum {
-    dBatchPositions,        /**< coordinates; can be written */
-    dBatchVelocities,       /**< velocities; can be written */
-    dBatchControls,         /**< of actuators, in their order; can be written */
-    dBatchAppliedForces,    /**< along the velocities, N or N m, until they are changed; can be written */
+    dBatchPositions,     /**< coordinates; can be written */
+    dBatchVelocities,    /**< velocities; can be written */
+    dBatchControls,      /**< of actuators, in their order; can be written */
+    dBatchAppliedForces, /**< along the velocities, N or N m, until they are changed; can be written */
     dBatchConstraintForces, /**< of the last step: three of each contact point (normal, two tangents), then of limits, dry friction
                                  and limited servos, N or N m */
-    dBatchBad,              /**< 1: the copy's numbers left the finite; it keeps its last state until it is reset */
-    dBatchResidual,         /**< what the last sweep of the last step changed, m/s */
-    dBatchSweeps            /**< of the last step */
+    dBatchBad,      /**< 1: the copy's numbers left the finite; it keeps its last state until it is reset */
+    dBatchResidual, /**< what the last sweep of the last step changed, m/s */
+    dBatchSweeps    /**< of the last step */
 } dBatchQuantity;
 
 /** Create a batch of `copies` copies of the model, at the reference position and at rest. options may be NULL. The model may be
