@@ -33,7 +33,10 @@ class Batch : public AnyBatch {
           numbers_(model_.numbers.begin(), model_.numbers.end()),
           crew_(threads)
     {
-        for (int i = 0; i < crew_.size(); ++i) work_.push_back(block_of(kernels_.work_size(view_)));
+        for (int i = 0; i < crew_.size(); ++i) {
+            work_.push_back(block_of(kernels_.work_size(view_)));
+            kernels_.make_work(view_, work_.back().get());
+        }
         std::fill_n(static_cast<T*>(state_.get()), std::size_t(groups_) * group_numbers(), T(0));
         for (int i = 0; i < groups_ * lanes_; ++i) put_at_reference(i);
         if (sizeof(T) == 4) options_.tolerance = 1e-5;

@@ -11,15 +11,6 @@ namespace epode::batch {
 namespace {
 
 template <typename P>
-struct Placed {  // a shape
-    Vec3Of<P> at;
-    Mat3Of<P> r;
-    P x, y, z;  // sizes
-
-    EPODE_LANEWISE Vec3Of<P> axis() const { return {r.row0.z, r.row1.z, r.row2.z}; }
-};
-
-template <typename P>
 EPODE_LANEWISE Vec3Of<P> shifted(const Vec3Of<P>& at, const P& along, const Vec3Of<P>& direction)
 {
     return at + along * direction;
@@ -31,18 +22,25 @@ struct Points {
     Numbers<P, own> numbers;
     Work<P>& work;
 
-    Placed<P> placed(int shape, int tree) const
+    // All shapes, each once.
+    void place() const
     {
-        const BatchShape& its = model.shapes[shape];
-        const LinkWork<P>& link = work.link[its.link];
-        const Vec3Of<P> size = numbers.vec(its.first + shape_number::kSize);
-        const Vec3Of<P> at = link.p + link.r * numbers.vec(its.first + shape_number::kPlace);
-        const int other = model.links[its.link].tree;
-        const Mat3Of<P> r =
-            its.is_turned ? matrix_of(link.q * numbers.quat(its.first + shape_number::kTurn)) : link.r;
-        if (its.link == 0) return {at - work.origin[tree], r, size.x, size.y, size.z};
-        return {other == tree ? at : at + (work.origin[other] - work.origin[tree]), r, size.x, size.y,
-                size.z};
+        for (int i = 0; i < model.shapes.size(); ++i) {
+            const BatchShape& its = model.shapes[i];
+            const LinkWork<P>& link = work.link[its.link];
+            const Vec3Of<P> size = numbers.vec(its.first + shape_number::kSize);
+            const Vec3Of<P> at = link.p + link.r * numbers.vec(its.first + shape_number::kPlace);
+            work.placed[i] = {
+                at,
+                its.is_turned ? matrix_of(link.q * numbers.quat(its.first + shape_number::kTurn)) : link.r,
+                size.x, size.y, size.z};
+        }
+    }
+
+    int tree_of(int shape) const
+    {
+        const int link = model.shapes[shape].link;
+        return link == 0 ? model.trees : model.links[link].tree;  // the world's own O is 0
     }
 
     EPODE_LANEWISE void put(int k, const P& gap, const Vec3Of<P>& point, const Vec3Of<P>& normal) const
@@ -72,8 +70,10 @@ struct Points {
 
     void find(const BatchPair& pair) const
     {
-        const int tree = model.links[model.shapes[pair.shape_a].link].tree;
-        const Placed<P> a = placed(pair.shape_a, tree), b = placed(pair.shape_b, tree);
+        const int tree = tree_of(pair.shape_a), other = tree_of(pair.shape_b);
+        const Placed<P>& a = work.placed[pair.shape_a];
+        Placed<P> b = work.placed[pair.shape_b];
+        if (other != tree) b.at = b.at + (work.origin[other] - work.origin[tree]);
         switch (pair.kind) {
             case PointKind::kSpherePlane:
                 return round_plane(0, a.at, a.x, b);

@@ -16,14 +16,6 @@ namespace epode::batch {
 namespace {
 
 template <typename P>
-EPODE_LANEWISE bool is_anywhere(const P& flag)
-{
-    bool any = false;
-    for (int lane = 0; lane < P::kLanes; ++lane) any |= flag[lane] > 0;
-    return any;
-}
-
-template <typename P>
 struct Law {
     P bias, soft;
 };
@@ -67,6 +59,7 @@ struct Rows {
             if (dof.servo >= 0) servo(dof);
             if (dof.limit >= 0) limit(dof);
         }
+        Points<P, own>{model, numbers, work}.place();
         for (const BatchPair& pair : model.pairs) touch(pair);
     }
 
@@ -107,9 +100,8 @@ struct Rows {
     void begin(const SingleRow<P>& row, int at) const
     {
         *row.impulse = clip(if_positive(row.d, P(T(options.h)) * forces[at], P(0)), row.low, row.high);
-        const int* chain = model.chains.first + row.dof->chain;
-        for (int k = 0; k <= row.dof->depth; ++k)
-            work.z[chain[k]] = work.z[chain[k]] + row.sign * (row.y[k] * *row.impulse);
+        P* const* z = work.chain_z + row.dof->chain;
+        for (int k = 0; k <= row.dof->depth; ++k) *z[k] = *z[k] + row.sign * (row.y[k] * *row.impulse);
     }
 
     void dry(const Dof& dof) const
@@ -124,7 +116,7 @@ struct Rows {
     {
         const ServoWork<P>& its = work.servos[dof.servo];
         work.impulses[servo_at(dof)] = P(0);
-        if (!is_anywhere(its.wanted)) return;
+        if (!any_positive(its.wanted)) return;
         const P h(T(options.h)), gain = inverse_or_zero(its.gain), zero(0);
         const P most = if_positive(its.wanted, h * numbers[dof.first + dof_number::kForceLimit], zero);
         SingleRow<P>& row = single(dof, servo_at(dof), P(1), its.wanted, {its.force * gain, gain / h});
@@ -142,7 +134,7 @@ struct Rows {
         const P reach = P(T(kNearLimit)) + P(T(2 * options.h)) * magnitude(v[number]);
         const P near = if_greater(reach, gap, one, zero);
         work.impulses[at] = zero;
-        if (!is_anywhere(near)) return;
+        if (!any_positive(near)) return;
         const Law<P> law = law_of(gap, numbers[dof.first + dof_number::kStopStiffness],
                                   numbers[dof.first + dof_number::kStopDamping], options);
         SingleRow<P>& row = single(dof, at, sign, near, law);
@@ -157,7 +149,7 @@ struct Rows {
             P* impulse = work.impulses + 3 * (pair.first_slot + k);
             impulse[0] = impulse[1] = impulse[2] = P(0);
             const P near = nearness(pair, k);
-            if (is_anywhere(near)) contact(pair, k, near, impulse);
+            if (any_positive(near)) contact(pair, k, near, impulse);
         }
     }
 
@@ -263,9 +255,9 @@ struct Rows {
     {
         const P h(T(options.h)), zero(0);
         for (int k = 0; k < 3; ++k) row.impulse[k] = if_positive(row.d, h * kept[k], zero);
-        const int* dofs = model.support_dofs.first + row.support->first;
+        P* const* zs = work.support_z + row.support->first;
         for (int l = 0; l < width; ++l) {
-            P& z = work.z[dofs[l]];
+            P& z = *zs[l];
             z = z + row.y[l] * row.impulse[0] + row.y[width + l] * row.impulse[1] +
                 row.y[2 * width + l] * row.impulse[2];
         }

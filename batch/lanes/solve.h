@@ -26,27 +26,32 @@ struct Solve {
 
     EPODE_LANEWISE P visit(const SingleRow<P>& row, const P& pace) const
     {
-        const int* chain = model.chains.first + row.dof->chain;
+        P* const* z = work.chain_z + row.dof->chain;
         P velocity(0);
-        for (int k = 0; k <= row.dof->depth; ++k) velocity = velocity + row.y[k] * work.z[chain[k]];
+        for (int k = 0; k <= row.dof->depth; ++k) velocity = velocity + row.y[k] * *z[k];
         const P old = *row.impulse,
                 wanted = old - row.mass * (row.sign * velocity - row.bias + row.soft * old);
         const P asked = clip(wanted, row.low, row.high) - old, change = if_positive(pace, pace * asked, P(0)),
                 along = row.sign * change;
+        if (!any_positive(magnitude(change))) return row.d * magnitude(asked);
         *row.impulse = old + change;
-        for (int k = 0; k <= row.dof->depth; ++k) work.z[chain[k]] = work.z[chain[k]] + row.y[k] * along;
+        for (int k = 0; k <= row.dof->depth; ++k) *z[k] = *z[k] + row.y[k] * along;
         return row.d * magnitude(asked);
     }
 
     EPODE_LANEWISE P visit(const ContactRow<P>& row, const P& pace) const
     {
-        const int* dofs = model.support_dofs.first + row.support->first;
+        P* const* zs = work.support_z + row.support->first;
         const int width = row.support->count();
         const P *y0 = row.y, *y1 = y0 + width, *y2 = y1 + width, zero(0);
         P u0(0), u1(0), u2(0);
+        for (int l = 0; l < width; ++l) u0 = u0 + y0[l] * *zs[l];
+        // Nothing pressed and nothing presses: there is no friction either.
+        const P any = magnitude(row.impulse[0]) + magnitude(row.impulse[1]) + magnitude(row.impulse[2]);
+        if (!any_positive(at_least(any, row.mass * (row.bias - u0)))) return zero;
         for (int l = 0; l < width; ++l) {
-            const P z = work.z[dofs[l]];
-            u0 = u0 + y0[l] * z, u1 = u1 + y1[l] * z, u2 = u2 + y2[l] * z;
+            const P z = *zs[l];
+            u1 = u1 + y1[l] * z, u2 = u2 + y2[l] * z;
         }
         const P n = row.impulse[0], s = row.impulse[1], t = row.impulse[2];
         // Where it slides the tangents follow the normal: the normal's own problem is then d + mu e.n, e the direction of sliding.
@@ -72,7 +77,7 @@ struct Solve {
                 gt = if_positive(pace, pace * dt, zero);
         row.impulse[0] = n + gn, row.impulse[1] = s + gs, row.impulse[2] = t + gt;
         for (int l = 0; l < width; ++l) {
-            P& z = work.z[dofs[l]];
+            P& z = *zs[l];
             z = z + y0[l] * gn + y1[l] * gs + y2[l] * gt;
         }
         return at_least(row.d * magnitude(dn), row.e * at_least(magnitude(ds), magnitude(dt)));

@@ -68,6 +68,15 @@ struct LinkWork {
     Inertia<P> inertia;
 };
 
+template <typename P>
+struct Placed {  // a shape, from its own tree's O
+    Vec3Of<P> at;
+    Mat3Of<P> r;
+    P x, y, z;  // sizes
+
+    EPODE_LANEWISE Vec3Of<P> axis() const { return {r.row0.z, r.row1.z, r.row2.z}; }
+};
+
 // A contact that is near in some copy.
 template <typename P>
 struct ContactRow {
@@ -95,7 +104,7 @@ struct ServoWork {
     P force, gain, wanted;
 };
 
-// All of it lies in one block of memory: laid out once to find its size, and once for good.
+// All of it lies in one block of memory: laid out once to find its size, and once for good, for all steps.
 template <typename P>
 struct Work {
     using T = typename P::Number;
@@ -107,6 +116,8 @@ struct Work {
     P *torque, *added;  // of dofs; what joins M's diagonal
     ServoWork<P>* servos;
     P *z, *v;
+    P **chain_z, **support_z;   // where z of the dofs of chains and supports is
+    Placed<P>* placed;          // shapes
     P *before, *last, *change;  // of extrapolation (solve.h)
     P* rows;
     P* columns;  // y of single dofs, along their chains
@@ -130,8 +141,9 @@ struct Work {
         const int dofs = model.dofs.size(), impulse_count = model.impulses();
         place(link, model.links.size()), place(s, dofs), place(origin, model.trees + 1);
         place(m, model.entries), place(d, dofs), place(root, dofs), place(torque, dofs), place(added, dofs);
-        place(servos, model.servos), place(z, dofs), place(v, dofs), place(before, dofs), place(last, dofs),
-            place(change, dofs);
+        place(servos, model.servos), place(z, dofs), place(v, dofs), place(chain_z, model.chains.size()),
+            place(support_z, model.support_dofs.size());
+        place(placed, model.shapes.size()), place(before, dofs), place(last, dofs), place(change, dofs);
         int widest = 0;
         for (const BatchPair& pair : model.pairs)
             widest += 3 * pair.slots * model.supports[pair.support].count();
@@ -140,6 +152,13 @@ struct Work {
         place(impulses, impulse_count), place(last_impulses, impulse_count);
         place(gaps, kMostPoints), place(points, kMostPoints), place(normals, kMostPoints);
         return end;
+    }
+
+    // Once laid out.
+    EPODE_LANEWISE void point(const ModelView& model)
+    {
+        for (int i = 0; i < model.chains.size(); ++i) chain_z[i] = z + model.chains[i];
+        for (int i = 0; i < model.support_dofs.size(); ++i) support_z[i] = z + model.support_dofs[i];
     }
 
     static constexpr int kMostPoints = 8;  // of a pair
