@@ -77,7 +77,8 @@ class Batch : public AnyBatch {
         crew_.work(groups_, [&](int group, int worker) {
             T* its = static_cast<T*>(state_.get()) + std::size_t(group) * group_numbers();
             for (int i = 0; i < steps; ++i)
-                kernels_.step(view_, options_, numbers_.data(), false, its, work_[std::size_t(worker)].get());
+                kernels_.step(view_, options_, numbers_of(group), are_own(), its,
+                              work_[std::size_t(worker)].get());
             write_bound(group);
         });
         return true;
@@ -95,6 +96,26 @@ class Batch : public AnyBatch {
         int count = 0;
         for (int i = 0; i < copies_; ++i) count += at(i, layout_.bad) > 0;
         return count;
+    }
+
+    void read(Parameter parameter, int first, int count, void* to) const override
+    {
+        const int size = batch::size_of(model_, parameter);
+        T* out = static_cast<T*>(to);
+        for (int i = first; i < first + count; ++i)
+            for (int k = 0; k < size; ++k) *out++ = number(i, place_of(model_, parameter, k));
+    }
+
+    bool write(Parameter parameter, int first, int count, const void* from) override
+    {
+        const int size = batch::size_of(model_, parameter);
+        const T* in = static_cast<const T*>(from);
+        for (int i = 0; i < count * size; ++i)
+            if (!batch::can_be(model_, parameter, i % size, double(in[i]))) return false;
+        own_numbers();
+        for (int i = first; i < first + count; ++i)
+            for (int k = 0; k < size; ++k) put_number(parameter, i, k, *in++);
+        return true;
     }
 
   private:
@@ -121,6 +142,44 @@ class Batch : public AnyBatch {
         for (int row = 0; row < layout_.rows; ++row) at(copy, row) = 0;
         for (int k = 0; k < model_.positions; ++k)
             at(copy, layout_.q + k) = T(model_.reference[std::size_t(k)]);
+    }
+
+    bool are_own() const { return !own_.empty(); }
+    std::size_t own_place(int copy, int number) const
+    {
+        const std::size_t group = std::size_t(copy / lanes_) * numbers_.size();
+        return (group + std::size_t(number)) * std::size_t(lanes_) + std::size_t(copy % lanes_);
+    }
+    T number(int copy, int number) const
+    {
+        return are_own() ? own_[own_place(copy, number)] : numbers_[std::size_t(number)];
+    }
+
+    // From now on each copy has all numbers of the model for itself.
+    void own_numbers()
+    {
+        if (are_own()) return;
+        own_.resize(std::size_t(groups_) * numbers_.size() * std::size_t(lanes_));
+        for (int i = 0; i < groups_ * lanes_; ++i)
+            for (std::size_t k = 0; k < numbers_.size(); ++k) own_[own_place(i, int(k))] = numbers_[k];
+    }
+
+    // With a mass the inertia about its centre changes in proportion.
+    void put_number(Parameter parameter, int copy, int which, T value)
+    {
+        const int place = place_of(model_, parameter, which);
+        T& number = own_[own_place(copy, place)];
+        if (parameter == Parameter::kMasses && number > 0)
+            for (int k = 0; k < 6; ++k)
+                own_[own_place(copy, place - link_number::kMass + link_number::kInertia + k)] *=
+                    value / number;
+        number = value;
+    }
+
+    const T* numbers_of(int group) const
+    {
+        return are_own() ? own_.data() + std::size_t(group) * numbers_.size() * std::size_t(lanes_)
+                         : numbers_.data();
     }
 
     // Of floating bases, between their links' axes and the world's.
@@ -204,6 +263,7 @@ class Batch : public AnyBatch {
     int lanes_, groups_;
     Block state_;
     std::vector<T> numbers_, row_;
+    std::vector<T> own_;  // rows of lanes, group by group; empty: all copies share numbers_
     std::vector<Block> work_;
     std::array<T*, std::size_t(Quantity::kCount)> bound_{};
     Crew crew_;

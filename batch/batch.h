@@ -11,6 +11,7 @@
 #include "batch/crew.h"
 #include "batch/lanes/group.h"
 #include "batch/lanes/kernels.h"
+#include "batch/parameters.h"
 
 namespace epode::batch {
 
@@ -48,6 +49,9 @@ class AnyBatch {
     // To the reference at rest, no controls, no forces, good again: where mask (n) is not 0; null: all.
     virtual void reset(const unsigned char* mask) = 0;
     virtual int bad() const = 0;  // how many
+    // (count, size) as above. Once one has been written, every copy has numbers of its own. False: a number that cannot be.
+    virtual void read(Parameter parameter, int first, int count, void* to) const = 0;
+    virtual bool write(Parameter parameter, int first, int count, const void* from) = 0;
 
   protected:
     AnyBatch(BatchModel model, int copies) : model_(std::move(model)), copies_(copies) {}

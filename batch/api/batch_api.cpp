@@ -15,6 +15,7 @@ struct dxBatch {
 
 using namespace epode::robots;
 using epode::batch::AnyBatch;
+using epode::batch::Parameter;
 using epode::batch::Quantity;
 
 namespace {
@@ -65,6 +66,9 @@ dBatchID create(dxRobotModel& model, int copies, const dBatchOptions& options)
     return Handles<dxBatch>::all().add(std::make_unique<dxBatch>(dxBatch{std::move(batch)}));
 }
 
+bool is_parameter(int parameter) { return parameter >= 0 && parameter < int(Parameter::kCount); }
+
+constexpr const char* kParameters = "a batch, a parameter, copies that there are, and an array";
 constexpr const char* kBatch = "a batch that is alive";
 constexpr const char* kPart = "a batch, a quantity, copies that there are, and an array";
 
@@ -145,6 +149,31 @@ int dBatchWrite(dBatchID batch, int quantity, int first, int count, const void* 
     CHECK(its->write(Quantity(quantity), first, count, numbers),
           "numbers that are finite, and quaternions with a length");
     return 1;
+}
+
+int dBatchGetParameterSize(dBatchID batch, int parameter)
+{
+    const AnyBatch* its = alive(batch);
+    CHECK(its && is_parameter(parameter), "a batch and a parameter");
+    return epode::batch::size_of(its->model(), Parameter(parameter));
+}
+
+int dBatchReadParameter(dBatchID batch, int parameter, int first, int count, void* numbers)
+{
+    const AnyBatch* its = alive(batch);
+    CHECK(is_parameter(parameter) && is_part(its, 0, first, count, numbers), kParameters);
+    its->read(Parameter(parameter), first, count, numbers);
+    return 1;
+}
+
+int dBatchWriteParameter(dBatchID batch, int parameter, int first, int count, const void* numbers)
+{
+    AnyBatch* its = alive(batch);
+    CHECK(is_parameter(parameter) && is_part(its, 0, first, count, numbers), kParameters);
+    return guarded(__func__, [&] {
+        const bool good = its->write(Parameter(parameter), first, count, numbers);
+        return int(check(good, "dBatchWriteParameter", "numbers that such a parameter can have"));
+    });
 }
 
 int dBatchBind(dBatchID batch, int quantity, void* numbers)

@@ -88,6 +88,26 @@ ODE_API int dBatchGetSize(dBatchID batch, int quantity);
 ODE_API int dBatchRead(dBatchID batch, int quantity, int first, int count, void* numbers);
 ODE_API int dBatchWrite(dBatchID batch, int quantity, int first, int count, const void* numbers);
 
+/** Numbers of the model that copies may have of their own. */
+typedef enum {
+    dBatchGravity,   /**< three, m/s^2 */
+    dBatchMasses,    /**< of links, kg; with one the link's inertia about its centre changes in proportion */
+    dBatchFrictions, /**< of pairs of shapes that may touch, in the batch's order */
+    dBatchArmatures, /**< of rotors, along the velocities, kg m^2 or kg */
+    dBatchDampings,  /**< of joints, along the velocities, N m s or N s/m */
+    dBatchStiffnesses, /**< of joints' springs, along the velocities, N m or N/m */
+    dBatchGains        /**< of actuators */
+} dBatchParameter;
+
+/** Of `count` copies from `first` on; numbers as dBatchRead has them, (count, size).
+    - dBatchGetParameterSize: Returns how many numbers a copy has of the parameter, a dBatchParameter.
+    - dBatchReadParameter: Copies them to numbers. Returns 1.
+    - dBatchWriteParameter: Takes them from numbers, for those copies only. Returns 1. Refused besides: numbers that are not finite or
+      beyond 1e15; masses of moving links that are not above 0; negative frictions, armatures, dampings and stiffnesses. [ours] */
+ODE_API int dBatchGetParameterSize(dBatchID batch, int parameter);
+ODE_API int dBatchReadParameter(dBatchID batch, int parameter, int first, int count, void* numbers);
+ODE_API int dBatchWriteParameter(dBatchID batch, int parameter, int first, int count, const void* numbers);
+
 /** Bind an array of all copies to the quantity: from now on every step and reset writes it, and every step first
     takes what can be written from it. It is filled at once, and must live until it is replaced, unbound by NULL, or the batch is
     destroyed. Returns 1. [ours] */

@@ -57,6 +57,32 @@ TEST(BatchLaws, friction_holds_to_its_cone_in_every_direction)
     dRobotModelDestroy(model);
 }
 
+// What each copy has of its own acts as if the model had it.
+TEST(BatchLaws, copies_have_numbers_of_their_own)
+{
+    const dRobotModelID model = model_of(kBall);
+    Copies<double> copies(model, 3, dReal(0.002), dReal(1e-9));
+    const std::vector<double> gravity = {0, 0, -kG, 0, 0, -1.62, 0, 0, -kG}, masses = {0, 1, 0, 1, 0, 2};
+    ASSERT_EQ(dBatchGetParameterSize(copies.id, dBatchGravity), 3);
+    ASSERT_EQ(dBatchGetParameterSize(copies.id, dBatchMasses), 2);
+    EXPECT_EQ(dBatchWriteParameter(copies.id, dBatchGravity, 0, 3, gravity.data()), 1);
+    EXPECT_EQ(dBatchWriteParameter(copies.id, dBatchMasses, 0, 3, masses.data()), 1);
+    std::vector<double> read(9);
+    EXPECT_EQ(dBatchReadParameter(copies.id, dBatchGravity, 0, 3, read.data()), 1);
+    EXPECT_EQ(read, gravity);
+    const double mu = 0.25, bad = -1;
+    EXPECT_EQ(dBatchWriteParameter(copies.id, dBatchFrictions, 2, 1, &mu), 1);
+    EXPECT_EQ(dBatchWriteParameter(copies.id, dBatchFrictions, 2, 1, &bad), 0);
+    dBatchStep(copies.id, 300);
+    copies.write(dBatchAppliedForces, {6, 0, 0, 0, 0, 0, 6, 0, 0, 0, 0, 0, 6, 0, 0, 0, 0, 0});
+    dBatchStep(copies.id, 500);
+    const auto v = copies.read(dBatchVelocities);
+    EXPECT_NEAR(v[0], 6 - 0.5 * kG, 0.01);          // a second with mu m g taken off
+    EXPECT_NEAR(v[6], 6 - 0.5 * 1.62, 0.01);        // on the moon
+    EXPECT_NEAR(v[12], 6 / 2.0 - 0.25 * kG, 0.01);  // twice the mass, half the friction
+    dRobotModelDestroy(model);
+}
+
 TEST(BatchLaws, dry_friction_limits_and_servos_keep_their_bounds)
 {
     const char* text = R"(<mujoco><compiler angle="radian"/><option gravity="0 0 0"/><worldbody>
