@@ -122,7 +122,7 @@ for outside in OUTSIDE:
                 if (ROOT / "src" / name).exists():
                     errors.append(f"{path.relative_to(ROOT)}: only ode/*.h is visible here, not {name}")
 
-# Batches stand beside robots: of src they see short vectors alone. Kernels know the flat model, not where it comes from.
+# Batches depend on robots: of src they see short vectors alone. Kernels know the flat model, not where it comes from.
 BATCH_MAY = {"": {"", "lanes", "model", "robots", "simd"}, "model": {"model", "robots"}, "lanes": {"lanes", "model", "simd"},
              "api": {"", "robots"}}
 for path in sorted((ROOT / "batch").rglob("*")):

@@ -23,7 +23,7 @@ extern "C" {
     Arguments:
     - batch: a batch that dBatchCreate has returned.
     - quantity: a dBatchQuantity.
-    - numbers: floats or doubles, as the batch was created, (copies, size), a copy's numbers side by side.
+    - values: floats or doubles, as the batch was created, (copies, size), a copy's numbers side by side.
 
     Refused: a batch that is 0 or destroyed; null pointers; an unknown quantity; what each function names. Nothing
     changes then, and the answer is 0. One batch is used by one thread at a time. */
@@ -62,12 +62,12 @@ typedef enum {
     dBatchSweeps    /**< of the last step */
 } dBatchQuantity;
 
-/** Create a batch of `copies` copies of the model, at the reference position and at rest. options may be NULL. The model may be
+/** Create a batch of `count` copies of the model, at the reference position and at rest. options may be NULL. The model may be
     destroyed afterwards. Destroy the batch with dBatchDestroy. Returns 0, with a message that names the element, when refused: a
     model with errors; what a batch does not have (filters of actuators, tendons, couplings, loops, a medium, contacts other than of
-    spheres, capsules, boxes, cylinders and ellipsoids on planes, spheres and capsules among themselves, spheres on boxes); copies below
+    spheres, capsules, boxes, cylinders and ellipsoids on planes, spheres and capsules among themselves, spheres on boxes); count below
     1; options out of their ranges; too little memory. [ours] */
-ODE_API dBatchID dBatchCreate(dRobotModelID model, int copies, const dBatchOptions* options);
+ODE_API dBatchID dBatchCreate(dRobotModelID model, int count, const dBatchOptions* options);
 
 /** Destroys the batch. [ours] */
 ODE_API void dBatchDestroy(dBatchID batch);
@@ -82,11 +82,11 @@ ODE_API int dBatchGetNumThreads(dBatchID batch);
 ODE_API int dBatchGetSize(dBatchID batch, int quantity);
 
 /** Of `count` copies from `first` on. Both return 1.
-    - dBatchRead: Copies the quantity to numbers.
-    - dBatchWrite: Takes it from numbers. Refused besides: a quantity that cannot be written, numbers that are not finite or
+    - dBatchRead: Copies the quantity to values.
+    - dBatchWrite: Takes it from values. Refused besides: a quantity that cannot be written, numbers that are not finite or
       whose squares would not be, quaternions of no length. [ours] */
-ODE_API int dBatchRead(dBatchID batch, int quantity, int first, int count, void* numbers);
-ODE_API int dBatchWrite(dBatchID batch, int quantity, int first, int count, const void* numbers);
+ODE_API int dBatchRead(dBatchID batch, int quantity, int first, int count, void* values);
+ODE_API int dBatchWrite(dBatchID batch, int quantity, int first, int count, const void* values);
 
 /** Numbers of the model that copies may have of their own. */
 typedef enum {
@@ -99,19 +99,19 @@ typedef enum {
     dBatchGains        /**< of actuators */
 } dBatchParameter;
 
-/** Of `count` copies from `first` on; numbers as dBatchRead has them, (count, size).
+/** Of `count` copies from `first` on, (count, size) as in dBatchRead.
     - dBatchGetParameterSize: Returns how many numbers a copy has of the parameter, a dBatchParameter.
-    - dBatchReadParameter: Copies them to numbers. Returns 1.
-    - dBatchWriteParameter: Takes them from numbers, for those copies only. Returns 1. Refused besides: numbers that are not finite or
+    - dBatchReadParameter: Copies them to `values`. Returns 1.
+    - dBatchWriteParameter: Takes them from values, for those copies only. Returns 1. Refused besides: what is not finite or
       beyond 1e15; masses of moving links that are not above 0; negative frictions, armatures, dampings and stiffnesses. [ours] */
 ODE_API int dBatchGetParameterSize(dBatchID batch, int parameter);
-ODE_API int dBatchReadParameter(dBatchID batch, int parameter, int first, int count, void* numbers);
-ODE_API int dBatchWriteParameter(dBatchID batch, int parameter, int first, int count, const void* numbers);
+ODE_API int dBatchReadParameter(dBatchID batch, int parameter, int first, int count, void* values);
+ODE_API int dBatchWriteParameter(dBatchID batch, int parameter, int first, int count, const void* values);
 
 /** Bind an array of all copies to the quantity: from now on every step and reset writes it, and every step first
     takes what can be written from it. It is filled at once, and must live until it is replaced, unbound by NULL, or the batch is
     destroyed. Returns 1. [ours] */
-ODE_API int dBatchBind(dBatchID batch, int quantity, void* numbers);
+ODE_API int dBatchBind(dBatchID batch, int quantity, void* values);
 
 /** Steps all copies `steps` times, with the same controls and applied forces. Copies that are bad stay as they are. Returns 1.
     Refused: steps below 0; bound arrays with numbers that dBatchWrite refuses. [ours] */

@@ -37,10 +37,10 @@ TEST(BatchLaws, friction_holds_to_its_cone_in_every_direction)
     constexpr int kDirections = 16;
     Copies<double> copies(model, 2 * kDirections, dReal(0.002), dReal(1e-9), 1, 1000);
     dBatchStep(copies.id, 300);
-    const double most = 0.5 * kG;
+    const double bound = 0.5 * kG;
     for (int i = 0; i < 2 * kDirections; ++i) {
         const double angle = 2 * 3.14159265358979 * i / kDirections,
-                     f = most * (i < kDirections ? 0.999 : 1.01);
+                     f = bound * (i < kDirections ? 0.999 : 1.01);
         copies.write_one(dBatchAppliedForces, i, {f * std::cos(angle), f * std::sin(angle), 0, 0, 0, 0});
     }
     // Forces act on the centre, friction below it: the box is wide enough not to tip.
@@ -51,7 +51,7 @@ TEST(BatchLaws, friction_holds_to_its_cone_in_every_direction)
         if (i < kDirections) {
             EXPECT_LT(speed, 1e-6) << i;
         } else {
-            EXPECT_NEAR(speed, 0.01 * most * 500 * 0.002, 1e-3 * 0.01 * most + 1e-5) << i;
+            EXPECT_NEAR(speed, 0.01 * bound * 500 * 0.002, 1e-3 * 0.01 * bound + 1e-5) << i;
         }
     }
     dRobotModelDestroy(model);

@@ -11,7 +11,7 @@ namespace epode::tests {
 namespace {
 
 std::string g_said;
-void hear(int, const char* format, va_list arguments)
+void note(int, const char* format, va_list arguments)
 {
     char text[500];
     std::vsnprintf(text, sizeof text, format, arguments);
@@ -20,7 +20,7 @@ void hear(int, const char* format, va_list arguments)
 
 class BatchRefusals : public testing::Test {
   protected:
-    BatchRefusals() { dSetMessageHandler(hear); }
+    BatchRefusals() { dSetMessageHandler(note); }
     ~BatchRefusals() override { dSetMessageHandler(nullptr); }
     void expect_refused(const char* text, const char* named)
     {

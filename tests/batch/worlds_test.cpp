@@ -148,8 +148,8 @@ TEST_F(BatchAndWorld, step_from_rest_alike_without_friction)
 TEST_F(BatchAndWorld, step_from_rest_alike_with_friction)
 {
     worst_from_rest(0.7);
-    const double most = sizeof(dReal) == 8 ? 1e-6 : 5e-3;
-    EXPECT_LE(std::count_if(differences.begin(), differences.end(), [&](double x) { return !(x < most); }),
+    const double bound = sizeof(dReal) == 8 ? 1e-6 : 5e-3;
+    EXPECT_LE(std::count_if(differences.begin(), differences.end(), [&](double x) { return !(x < bound); }),
               3);
 }
 
