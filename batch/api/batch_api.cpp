@@ -146,9 +146,10 @@ int dBatchWrite(dBatchID batch, int quantity, int first, int count, const void* 
     AnyBatch* its = alive(batch);
     CHECK(is_part(its, quantity, first, count, numbers), kPart);
     CHECK(can_be_written(quantity), "positions, velocities, controls or applied forces");
-    CHECK(its->write(Quantity(quantity), first, count, numbers),
-          "numbers that are finite, and quaternions with a length");
-    return 1;
+    return guarded(__func__, [&] {
+        const bool good = its->write(Quantity(quantity), first, count, numbers);
+        return int(check(good, "dBatchWrite", "numbers that are finite, and quaternions with a length"));
+    });
 }
 
 int dBatchGetParameterSize(dBatchID batch, int parameter)
@@ -189,8 +190,11 @@ int dBatchStep(dBatchID batch, int steps)
 {
     AnyBatch* its = alive(batch);
     CHECK(its && steps >= 0, "a batch, and 0 steps or more");
-    CHECK(its->step(steps), "bound arrays with numbers that are finite, and quaternions with a length");
-    return 1;
+    return guarded(__func__, [&] {
+        const bool good = its->step(steps);
+        return int(check(good, "dBatchStep",
+                         "bound arrays with numbers that are finite, and quaternions with a length"));
+    });
 }
 
 int dBatchReset(dBatchID batch, const unsigned char* mask)
