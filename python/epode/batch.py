@@ -108,7 +108,7 @@ class Batch:
         given = np.asarray(values, self.dtype)
         if given.shape not in ((self.copies, size), (size,)):
             raise ValueError(f"an array ({self.copies}, {size}) or a row of {size} is expected, not {given.shape}")
-        return np.ascontiguousarray(np.broadcast_to(given, (self.copies, size)))
+        return np.array(np.broadcast_to(given, (self.copies, size)), order="C")
 
     def get(self, parameter: str) -> NDArray[Any]:
         """A new array (copies, size) of gravity, mass, friction (of pairs of shapes), armature, damping, stiffness or gain."""
