@@ -91,7 +91,7 @@ endif()
 if(TARGET epode_robots)
   set_target_properties(epode_robots PROPERTIES INSTALL_RPATH "$ORIGIN")
   install(FILES ${PROJECT_SOURCE_DIR}/include/epode/robots.h ${PROJECT_SOURCE_DIR}/include/epode/robot_sensors.h
-          ${PROJECT_SOURCE_DIR}/include/epode/decomposition.h
+          ${PROJECT_SOURCE_DIR}/include/epode/decomposition.h ${PROJECT_SOURCE_DIR}/include/epode/batch.h
           DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/epode)
   install(TARGETS epode_robots LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endif()

@@ -37,13 +37,13 @@ def guide_names():
 # Names of arguments that are words of English as well: in a text they need not mean the argument.
 WORDS = set("""
     a adr ap axis back bits block bodies body bounce bound buffer callback capsule center channel clip collide color comp
-    contact convex count cylinder data depth description dir direction distance down end enable enabled err error
+    contact convex count cylinder data depth description dir direction distance down end enable enabled err error first
     factor file flags force frame friction from function functions geom g group handle head hit hits hole i id index info instance
     iterations joint k l left length level lines list m mass material mesh message mode moment motion mu n name normal
     num number offset on out over p pair parameter parts plane planes point points polygons position prefix problem
     quality r radius range ratio ray rel requirements reserve resources room s scale seconds side size slip
     solid solution source space sphere start stats step stepper steps t text the threads threshold time tolerance
-    angle backlash box by category contacts cooperative Data directions events geoms gravity lengths most origin other
+    angle backlash batch box by category contacts cooperative Data directions events geoms gravity lengths most origin other
     report velocities model robot links joints poses actuator link result skip torque transform triangle type u v value vector vel vertices w way width world x y z
 """.split())
 # What points to another place of a page.

@@ -28,10 +28,11 @@ from .world import Cause, World, defaults_text, step_worlds
 
 if TYPE_CHECKING:
     from . import robot
+    from .batch import Batch
     from .robot import load
 
 __version__ = "0.1.0"
-__all__ = ["Behaviour", "Body", "BodyGroup", "Box", "BusyError", "Capsule", "Cause", "CauseKind", "CombineRule", "Cone",
+__all__ = ["Batch", "Behaviour", "Body", "BodyGroup", "Box", "BusyError", "Capsule", "Cause", "CauseKind", "CombineRule", "Cone",
            "ContactEventKind", "Convex", "Cylinder", "DeadHandleError", "Decomposition", "Drive", "Ellipsoid", "EpodeWarning",
            "EventGone", "EventKind", "Geom", "HeightField", "IslandMethod", "Joint", "Material", "Mesh", "Plane",
            "Recording", "RefusedError", "Severity", "Sphere", "TaperedCapsule", "World", "c", "decompose", "defaults_text",
@@ -39,10 +40,14 @@ __all__ = ["Behaviour", "Body", "BodyGroup", "Box", "BusyError", "Capsule", "Cau
 
 
 def __getattr__(name: str) -> Any:
-    """epode.robot and epode.load are imported when they are used first: the rest does not wait for them."""
+    """epode.robot, epode.load and epode.Batch are imported when they are used first: the rest does not wait for them."""
     if name in ("robot", "load"):
         import importlib
         robot = importlib.import_module(".robot", __name__)
         globals().update(robot=robot, load=robot.load)
         return globals()[name]
+    if name == "Batch":
+        from .batch import Batch
+        globals()[name] = Batch
+        return Batch
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

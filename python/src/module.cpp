@@ -49,5 +49,6 @@ NB_MODULE(_c, m)
     bind_picture(m);
     bind_command(m);
     bind_robots(m);
+    bind_batches(m);
     bind_decomposition(m);
 }

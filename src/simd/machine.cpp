@@ -9,7 +9,7 @@
 #include <cstring>
 #include "base/environment.h"
 
-#include "base/messages.h"
+#include "ode/error.h"
 
 namespace epode {
 namespace {
@@ -41,7 +41,7 @@ std::size_t chosen_kernels()
     if (!wanted || std::strcmp(wanted, "best") == 0) return all;
     for (std::size_t i = 0; i < all; ++i)
         if (std::strcmp(wanted, kNames[i]) == 0) return i + 1;
-    note(0, "EPODE_KERNELS=%s: no such kernels run here; using %s", wanted, kNames[all - 1]);
+    dMessage(0, "EPODE_KERNELS=%s: no such kernels run here; using %s", wanted, kNames[all - 1]);
     return all;
 }
 

@@ -146,11 +146,34 @@ EPODE_LANEWISE Pack<T, N> inverse_or_zero(const Pack<T, N>& x)
     return if_positive(x, Pack<T, N>(1) / x, Pack<T, N>{});
 }
 
+// Signs of the lanes of a machine vector, or-ed: whether any is negative (or a negative zero or NaN).
+template <typename V>
+EPODE_LANEWISE bool any_sign(const V& x)
+{
+    constexpr bool kFloat = sizeof(x[0]) == sizeof(float);
+#if defined(__AVX512F__)
+    if constexpr (sizeof(V) == 64 && kFloat) return _mm512_movepi32_mask(__m512i(x)) != 0;
+    if constexpr (sizeof(V) == 64 && !kFloat) return _mm512_movepi64_mask(__m512i(x)) != 0;
+#endif
+#if defined(__AVX2__)
+    if constexpr (sizeof(V) == 32 && kFloat) return _mm256_movemask_ps(__m256(x)) != 0;
+    if constexpr (sizeof(V) == 32 && !kFloat) return _mm256_movemask_pd(__m256d(x)) != 0;
+#endif
+#if defined(__x86_64__)
+    if constexpr (sizeof(V) == 16 && kFloat) return _mm_movemask_ps(__m128(x)) != 0;
+    if constexpr (sizeof(V) == 16 && !kFloat) return _mm_movemask_pd(__m128d(x)) != 0;
+#endif
+    bool any = false;
+    for (int lane = 0; lane < int(sizeof(V) / sizeof(x[0])); ++lane) any |= __builtin_signbit(x[lane]) != 0;
+    return any;
+}
+
 template <typename T, int N>
 EPODE_LANEWISE bool any_positive(const Pack<T, N>& x)
 {
+    using V = typename Pack<T, N>::Vector;
     bool any = false;
-    for (int lane = 0; lane < N; ++lane) any |= x[lane] > 0;
+    for (int i = 0; i < Pack<T, N>::kVectors; ++i) any |= any_sign(V(x.v[i] > V{}));
     return any;
 }
 

@@ -99,6 +99,8 @@ class Runner {
             dRobotModelDestroy(static_cast<dRobotModelID>(const_cast<void*>(result.pointer)));
         if (result.pointer && has(f.name, "dRobotCreate"))
             dRobotDestroy(static_cast<dRobotID>(const_cast<void*>(result.pointer)));
+        if (result.pointer && has(f.name, "dBatchCreate"))
+            dBatchDestroy(static_cast<dBatchID>(const_cast<void*>(result.pointer)));
         if (has(f.name, "ConvexDecomposition"))
             for (int i = 0; i < int(result.integer); ++i)
                 dGeomDestroy(static_cast<dGeomID*>(arguments_[6].pointer)[i]);

@@ -21,6 +21,11 @@ constexpr const char* kWatched =
 <actuator><motor name="drive" joint="knee" ctrlrange="-1 1"/><general tendon="string" dyntype="filter" dynprm="0.1" gainprm="10"/></actuator>
 <sensor><accelerometer site="eye"/><gyro site="eye"/><force site="eye"/><touch site="eye"/><rangefinder site="eye"/>
 <framepos objtype="site" objname="eye"/><ballquat joint="turn"/><jointpos joint="knee"/><magnetometer site="eye"/></sensor></mujoco>)";
+// What a batch can take.
+constexpr const char* kSwung =
+    R"(<mujoco><worldbody><geom type="plane" size="5 5 1"/><body pos="0 0 1"><freejoint/><geom size="0.1" mass="1"/>
+<body pos="0 0 -0.2"><joint name="a" range="-60 60" frictionloss="0.1"/><geom type="capsule" size="0.05 0.2" mass="1"/></body></body>
+</worldbody><actuator><position joint="a" kp="10" forcerange="-1 1"/></actuator></mujoco>)";
 constexpr const char* kFaulty = "<robot name='r'><link name='a'/><link name='a'/></robot>";
 
 Messages g_messages;
@@ -90,6 +95,7 @@ void Scene::build()
     dWorldSetContactSpace(world, space);
     models.assign(paths.size() + 1, nullptr);
     robots.assign(2 * models.size(), nullptr);
+    batches.assign(2, nullptr), bound.assign(1 << 12, 0);
     mend();
 }
 
@@ -97,6 +103,7 @@ void Scene::tear_down()
 {
     for (const dRobotID robot : robots) dRobotDestroy(robot);
     for (const dRobotModelID model : models) dRobotModelDestroy(model);
+    for (const dBatchID batch : batches) dBatchDestroy(batch);
     dRobotModelDestroy(faulty_model);
     faulty_model = nullptr;
     dSpaceDestroy(space), dWorldDestroy(world), dWorldDestroy(other_world);
@@ -105,8 +112,22 @@ void Scene::tear_down()
 
 void Scene::rebuild() { tear_down(), build(), is_vandalised = false; }
 
+void Scene::mend_batches()
+{
+    const dRobotModelID model = dRobotModelLoadText("swung.xml", kSwung, std::strlen(kSwung), nullptr);
+    for (std::size_t i = 0; i < batches.size(); ++i) {
+        if (dBatchGetNumCopies(batches[i]) > 0) continue;
+        dBatchOptions options;
+        dBatchOptionsInit(&options, sizeof options);
+        options.doubles = int(i), options.threads = 2;
+        dead_batch = batches[i], batches[i] = dBatchCreate(model, kCopies, &options);
+    }
+    dRobotModelDestroy(model);
+}
+
 void Scene::mend()
 {
+    mend_batches();
     if (!faulty_model || !dRobotModelHasErrors(faulty_model))
         faulty_model = dRobotModelLoadText("faulty.urdf", kFaulty, std::strlen(kFaulty), nullptr);
     for (std::size_t i = 0; i < models.size(); ++i)

@@ -5,6 +5,7 @@
 // sound one in a world that steps, and of each kind of handle a destroyed one. What a call has destroyed is made again.
 #pragma once
 
+#include <epode/batch.h>
 #include <epode/robot_sensors.h>
 #include <ode/ext.h>
 
@@ -36,6 +37,10 @@ struct Scene {
     std::vector<dRobotID> robots;
     dRobotModelID dead_model = nullptr, faulty_model = nullptr;
     dRobotID dead_robot = nullptr;
+    static constexpr int kCopies = 5;
+    std::vector<dBatchID> batches;  // of floats, of doubles
+    dBatchID dead_batch = nullptr;
+    mutable std::vector<double> bound;  // what batches may be bound to
     std::vector<std::string> paths;
     std::string text;  // of the first file
 
@@ -43,6 +48,7 @@ struct Scene {
     void build();
     void tear_down();
     dRobotModelID load(std::size_t number) const;
+    void mend_batches();
 };
 
 // What the library has said since the last clear().

@@ -104,6 +104,22 @@ constexpr RobotFunction kAll[] = {
     FILLS(dDecompositionOptions, dDecompositionOptionsInit, kFewOutput, kStructSize),
     FUNCTION(dCreateConvexDecomposition, kSpaceOrNone, kCorners, kCornerCount, kTriangles, kTriangleCount,
              kDecomposition, kOutput, kGeomCapacity, kDecompositionReport),
+    FILLS(dBatchOptions, dBatchOptionsInit, kFewOutput, kStructSize),
+    FUNCTION(dBatchCreate, kModel, kBatchSize, kBatchOptions),
+    FUNCTION(dBatchDestroy, kBatch),
+    FUNCTION(dBatchGetNumCopies, kBatch),
+    FUNCTION(dBatchGetNumberSize, kBatch),
+    FUNCTION(dBatchGetNumThreads, kBatch),
+    FUNCTION(dBatchGetSize, kBatch, kQuantity),
+    FUNCTION(dBatchRead, kBatch, kQuantity, kFirstCopy, kCopyCount, kOutput),
+    FUNCTION(dBatchWrite, kBatch, kQuantity, kFirstCopy, kCopyCount, kCopyValues),
+    FUNCTION(dBatchGetParameterSize, kBatch, kParameter),
+    FUNCTION(dBatchReadParameter, kBatch, kParameter, kFirstCopy, kCopyCount, kOutput),
+    FUNCTION(dBatchWriteParameter, kBatch, kParameter, kFirstCopy, kCopyCount, kCopyValues),
+    FUNCTION(dBatchBind, kBatch, kQuantity, kBound),
+    FUNCTION(dBatchStep, kBatch, kStepCount),
+    FUNCTION(dBatchReset, kBatch, kMask),
+    FUNCTION(dBatchCountBad, kBatch),
 };
 
 }  // namespace

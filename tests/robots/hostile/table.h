@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Every function of epode/robots.h and epode/robot_sensors.h, with what its arguments are for. The test robots_hostile_covers_exports
+// Every function of epode/robots.h, epode/robot_sensors.h and epode/batch.h, with what its arguments are for. The test robots_hostile_covers_exports
 // fails by name where one is missing.
 #pragma once
 
+#include <epode/batch.h>
 #include <epode/decomposition.h>
 #include <epode/robot_sensors.h>
 
@@ -64,6 +65,17 @@ enum class Role {
     kDecomposition,
     kGeomCapacity,
     kDecompositionReport,
+    kBatch,
+    kBatchSize,  // how many copies
+    kBatchOptions,
+    kQuantity,
+    kParameter,
+    kFirstCopy,
+    kCopyCount,
+    kStepCount,
+    kCopyValues,
+    kBound,
+    kMask,
 };
 
 struct RobotFunction {

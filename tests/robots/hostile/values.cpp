@@ -88,6 +88,7 @@ Value Values::handle(const std::vector<void*>& live, void* dead, bool hostile)
                            scene_.space,
                            scene_.models[0],
                            scene_.robots[0],
+                           scene_.batches[0],
                            zeros,
                            letters,
                            bits(reinterpret_cast<std::uintptr_t>(live[0]) + 1),
@@ -287,6 +288,39 @@ Value Values::decomposition(int argument, bool hostile)
     return structure(argument, o, which == 3 ? Trait::kNaN : Trait::kBad);
 }
 
+Value Values::batch_options(int argument, bool hostile)
+{
+    if (below(3) == 0) return none();
+    dBatchOptions o;
+    dBatchOptionsInit(&o, sizeof o);
+    o.doubles = below(2), o.threads = 1 + below(2), o.max_sweeps = 1 + below(50);
+    if (!hostile) return structure(argument, o, Trait::kFine);
+    const int which = below(10);
+    if (which == 0) o.struct_size = 4;
+    if (which == 1) o.doubles = 2;
+    if (which == 2) o.threads = -1;
+    if (which == 3) o.max_sweeps = 0;
+    if (which == 4) o.stepsize = kNotANumber;
+    if (which == 5) o.stepsize = 0;
+    if (which == 6) o.erp = -1;
+    if (which == 7) o.max_correction = kInf;
+    if (which == 8) o.reach = kNotANumber;
+    if (which == 9) o.tolerance = -1;
+    return structure(argument, o, Trait::kBad);
+}
+
+// Floats or doubles, whatever the batch has: halves and zeros of both; or what is no number in both.
+Value Values::copy_values(int argument, bool hostile)
+{
+    if (hostile && below(3) == 0) return none();
+    std::vector<double> values(std::size_t(64 * Scene::kCopies), 0.5);
+    constexpr std::uint64_t kNone = 0x7ff800007ff80000u;
+    if (hostile) std::memcpy(values.data(), &kNone, sizeof kNone);
+    Value v = block(argument, values.data(), values.size() * sizeof(double));
+    v.trait = hostile ? Trait::kNaN : Trait::kFine, v.text = hostile ? "NaN" : "values";
+    return v;
+}
+
 Value Values::sized(int argument, unsigned struct_size, std::size_t size, bool hostile)
 {
     if (hostile && below(3) == 0) return none();
@@ -462,6 +496,33 @@ Value Values::choose(const RobotFunction& function, int argument, bool hostile)
             return below(3)
                        ? sized(argument, sizeof(dDecompositionReport), sizeof(dDecompositionReport), hostile)
                        : none();
+        case Role::kBatch:
+            return handle(pointers(scene_.batches), scene_.dead_batch, hostile);
+        case Role::kBatchSize:
+            return integer(1 + below(20), {{0, kBad}, {-1, kBad}, {INT_MIN, kBad}}, hostile);
+        case Role::kBatchOptions:
+            return batch_options(argument, hostile);
+        case Role::kQuantity:
+            return integer(below(dBatchSweeps + 1), {{-1, kBad}, {dBatchSweeps + 1, kBad}, {INT_MAX, kBad}},
+                           hostile);
+        case Role::kParameter:
+            return integer(below(dBatchGains + 1), {{-1, kBad}, {dBatchGains + 1, kBad}, {INT_MAX, kBad}},
+                           hostile);
+        case Role::kFirstCopy:
+            return integer(below(2),
+                           {{-1, kBad}, {INT_MIN, kBad}, {INT_MAX, kBad}, {Scene::kCopies + 1, kBad}},
+                           hostile);
+        case Role::kCopyCount:
+            return integer(1 + below(Scene::kCopies - 1),
+                           {{-1, kBad}, {INT_MIN, kBad}, {INT_MAX, kBad}, {0, kFine}}, hostile);
+        case Role::kStepCount:
+            return integer(below(3), {{-1, kBad}, {INT_MIN, kBad}}, hostile);
+        case Role::kCopyValues:
+            return copy_values(argument, hostile);
+        case Role::kBound:
+            return below(2) ? none() : pointer(scene_.bound.data(), kFine, "bound");
+        case Role::kMask:
+            return below(3) ? output(argument, std::size_t(Scene::kCopies), false) : none();
         case Role::kOutput:
             return output(argument, kOutputSize, hostile);
         case Role::kFewOutput:
@@ -496,12 +557,15 @@ int Values::must_refuse(const RobotFunction& function, const Value* arguments) c
         const bool of_rays =
             is(role, {Role::kDirections, Role::kRangeOutput}) && value_of(Role::kRayCount) == 0;
         const bool of_targets = role == Role::kTargets && value_of(Role::kTargetCount) == 0;
-        if (of_rays || of_targets) continue;
+        const bool of_copies =
+            is(role, {Role::kOutput, Role::kCopyValues}) && value_of(Role::kCopyCount) == 0;
+        if (of_rays || of_targets || of_copies) continue;
         if (trait == Trait::kBad || trait == Trait::kNaN) return i;
         if (trait != Trait::kNull) continue;
         if (is(role, {Role::kSpaceOrNone, Role::kVelocitiesOrNone, Role::kPointOrNone, Role::kTurnOrNone,
                       Role::kFrameOrNone, Role::kOptions, Role::kInverseOptions, Role::kDecomposition,
-                      Role::kDecompositionReport, Role::kResult, Role::kOutputOrNone}))
+                      Role::kDecompositionReport, Role::kResult, Role::kOutputOrNone, Role::kBatchOptions,
+                      Role::kBound, Role::kMask}))
             continue;
         if (is(role, {Role::kPositions, Role::kPositionInOut}) && positions_ == 0) continue;
         if (role == Role::kOutput && value_of(Role::kCapacity) == 0) continue;

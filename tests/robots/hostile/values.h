@@ -46,6 +46,8 @@ class Values {
     Value camera(int argument, bool hostile);
     Value triangles(int argument, bool hostile);
     Value decomposition(int argument, bool hostile);
+    Value batch_options(int argument, bool hostile);
+    Value copy_values(int argument, bool hostile);
     Value sized(int argument, unsigned struct_size, std::size_t size, bool hostile);
     Value output(int argument, std::size_t size, bool hostile);
     Value block(int argument, const void* content, std::size_t size);

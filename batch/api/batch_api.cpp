@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The C functions of batches: see robots/api.h for how arguments are checked.
+#include "epode/batch.h"
+
+#include <thread>
+
+#include "batch/batch.h"
+#include "robots/api.h"
+
+struct dxBatch {
+    std::unique_ptr<epode::batch::AnyBatch> batch;
+};
+
+using namespace epode::robots;
+using epode::batch::AnyBatch;
+using epode::batch::Parameter;
+using epode::batch::Quantity;
+
+namespace {
+
+AnyBatch* alive(dBatchID batch)
+{
+    dxBatch* its = Handles<dxBatch>::all().find(batch);
+    return its ? its->batch.get() : nullptr;
+}
+
+bool is_quantity(int quantity) { return quantity >= 0 && quantity < int(Quantity::kCount); }
+bool can_be_written(int quantity) { return quantity >= dBatchPositions && quantity <= dBatchAppliedForces; }
+bool is_between(dReal x, dReal low, dReal high) { return x >= low && x <= high; }
+
+bool are_good(const dBatchOptions& o)
+{
+    return o.struct_size == sizeof(dBatchOptions) && (o.doubles == 0 || o.doubles == 1) && o.threads >= 0 &&
+           o.threads <= 1024 && o.max_sweeps >= 1 && is_between(o.stepsize, dReal(1e-9), dReal(10)) &&
+           is_between(o.erp, 0, 1) && is_between(o.max_correction, 0, dReal(1e9)) &&
+           is_between(o.reach, 0, dReal(1e9)) && is_between(o.tolerance, 0, dReal(1e9));
+}
+
+void set_options(AnyBatch& batch, const dBatchOptions& from)
+{
+    epode::batch::StepOptions& to = batch.options();
+    to.h = double(from.stepsize), to.erp = double(from.erp), to.most_correction = double(from.max_correction);
+    to.reach = double(from.reach), to.most_sweeps = from.max_sweeps;
+    if (from.tolerance > 0) to.tolerance = double(from.tolerance);
+}
+
+int threads_of(const dBatchOptions& options)
+{
+    return options.threads > 0 ? options.threads : std::max(1, int(std::thread::hardware_concurrency()));
+}
+
+dBatchID create(dxRobotModel& model, int copies, const dBatchOptions& options)
+{
+    if (!model.prepared) model.prepared = std::make_shared<const Prepared>(model.model);
+    epode::batch::BatchModel compiled;
+    std::string refusal;
+    if (!epode::batch::compile(*model.prepared, compiled, refusal)) {
+        dMessage(d_ERR_UNKNOWN, "dBatchCreate: refused: %s", refusal.c_str());
+        return nullptr;
+    }
+    auto batch =
+        epode::batch::make_batch(std::move(compiled), copies, options.doubles == 1, threads_of(options));
+    set_options(*batch, options);
+    return Handles<dxBatch>::all().add(std::make_unique<dxBatch>(dxBatch{std::move(batch)}));
+}
+
+bool is_parameter(int parameter) { return parameter >= 0 && parameter < int(Parameter::kCount); }
+
+constexpr const char* kParameters = "a batch, a parameter, copies that there are, and an array";
+constexpr const char* kBatch = "a batch that is alive";
+constexpr const char* kPart = "a batch, a quantity, copies that there are, and an array";
+
+bool is_part(const AnyBatch* batch, int quantity, int first, int count, const void* numbers)
+{
+    return batch && is_quantity(quantity) && first >= 0 && count >= 0 && first <= batch->copies() - count &&
+           (numbers || count == 0);
+}
+
+}  // namespace
+
+int dBatchOptionsInit(dBatchOptions* options, unsigned struct_size)
+{
+    CHECK(options && struct_size == sizeof(dBatchOptions), "a structure and its size, sizeof(dBatchOptions)");
+    const epode::batch::StepOptions its;
+    *options = dBatchOptions{};
+    options->struct_size = struct_size, options->max_sweeps = its.most_sweeps;
+    options->stepsize = dReal(its.h), options->erp = dReal(its.erp),
+    options->max_correction = dReal(its.most_correction);
+    options->reach = dReal(its.reach);
+    return 1;
+}
+
+dBatchID dBatchCreate(dRobotModelID model, int copies, const dBatchOptions* options)
+{
+    dxRobotModel* its = epode::robots::alive(model);
+    CHECK(its && copies >= 1 && (!options || are_good(*options)),
+          "a model, 1 copy or more, and NULL or options in their ranges");
+    dBatchOptions chosen;
+    dBatchOptionsInit(&chosen, sizeof chosen);
+    if (options) chosen = *options;
+    return guarded(__func__, [&] { return create(*its, copies, chosen); });
+}
+
+void dBatchDestroy(dBatchID batch) { check(Handles<dxBatch>::all().remove(batch), __func__, kBatch); }
+
+int dBatchGetNumCopies(dBatchID batch)
+{
+    const AnyBatch* its = alive(batch);
+    CHECK(its, kBatch);
+    return its->copies();
+}
+
+int dBatchGetNumberSize(dBatchID batch)
+{
+    const AnyBatch* its = alive(batch);
+    CHECK(its, kBatch);
+    return its->number_size();
+}
+
+int dBatchGetNumThreads(dBatchID batch)
+{
+    const AnyBatch* its = alive(batch);
+    CHECK(its, kBatch);
+    return its->threads();
+}
+
+int dBatchGetSize(dBatchID batch, int quantity)
+{
+    const AnyBatch* its = alive(batch);
+    CHECK(its && is_quantity(quantity), "a batch and a quantity");
+    return its->size_of(Quantity(quantity));
+}
+
+int dBatchRead(dBatchID batch, int quantity, int first, int count, void* numbers)
+{
+    const AnyBatch* its = alive(batch);
+    CHECK(is_part(its, quantity, first, count, numbers), kPart);
+    its->read(Quantity(quantity), first, count, numbers);
+    return 1;
+}
+
+int dBatchWrite(dBatchID batch, int quantity, int first, int count, const void* numbers)
+{
+    AnyBatch* its = alive(batch);
+    CHECK(is_part(its, quantity, first, count, numbers), kPart);
+    CHECK(can_be_written(quantity), "positions, velocities, controls or applied forces");
+    return guarded(__func__, [&] {
+        const bool good = its->write(Quantity(quantity), first, count, numbers);
+        return int(check(good, "dBatchWrite", "numbers that are finite, and quaternions with a length"));
+    });
+}
+
+int dBatchGetParameterSize(dBatchID batch, int parameter)
+{
+    const AnyBatch* its = alive(batch);
+    CHECK(its && is_parameter(parameter), "a batch and a parameter");
+    return epode::batch::size_of(its->model(), Parameter(parameter));
+}
+
+int dBatchReadParameter(dBatchID batch, int parameter, int first, int count, void* numbers)
+{
+    const AnyBatch* its = alive(batch);
+    CHECK(is_parameter(parameter) && is_part(its, 0, first, count, numbers), kParameters);
+    its->read(Parameter(parameter), first, count, numbers);
+    return 1;
+}
+
+int dBatchWriteParameter(dBatchID batch, int parameter, int first, int count, const void* numbers)
+{
+    AnyBatch* its = alive(batch);
+    CHECK(is_parameter(parameter) && is_part(its, 0, first, count, numbers), kParameters);
+    return guarded(__func__, [&] {
+        const bool good = its->write(Parameter(parameter), first, count, numbers);
+        return int(check(good, "dBatchWriteParameter", "numbers that such a parameter can have"));
+    });
+}
+
+int dBatchBind(dBatchID batch, int quantity, void* numbers)
+{
+    AnyBatch* its = alive(batch);
+    CHECK(its && is_quantity(quantity), "a batch and a quantity");
+    if (numbers) its->read(Quantity(quantity), 0, its->copies(), numbers);
+    its->bind(Quantity(quantity), numbers);
+    return 1;
+}
+
+int dBatchStep(dBatchID batch, int steps)
+{
+    AnyBatch* its = alive(batch);
+    CHECK(its && steps >= 0, "a batch, and 0 steps or more");
+    return guarded(__func__, [&] {
+        const bool good = its->step(steps);
+        return int(check(good, "dBatchStep",
+                         "bound arrays with numbers that are finite, and quaternions with a length"));
+    });
+}
+
+int dBatchReset(dBatchID batch, const unsigned char* mask)
+{
+    AnyBatch* its = alive(batch);
+    CHECK(its, kBatch);
+    its->reset(mask);
+    return 1;
+}
+
+int dBatchCountBad(dBatchID batch)
+{
+    const AnyBatch* its = alive(batch);
+    CHECK(its, kBatch);
+    return its->bad();
+}

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See batch.h.
+#include "batch/batch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <new>
+
+namespace epode::batch {
+
+namespace {
+
+struct FreeAligned {
+    void operator()(void* block) const { ::operator delete(block, std::align_val_t(64)); }
+};
+using Block = std::unique_ptr<void, FreeAligned>;
+Block block_of(std::size_t bytes) { return Block(::operator new(bytes, std::align_val_t(64))); }
+
+template <typename T>
+class Batch : public AnyBatch {
+  public:
+    Batch(BatchModel model, int copies, int threads)
+        : AnyBatch(std::move(model), copies),
+          kernels_(best_kernels<T>()),
+          view_(model_),
+          layout_(model_),
+          lanes_(kernels_.lanes),
+          groups_((copies + lanes_ - 1) / lanes_),
+          state_(block_of(std::size_t(groups_) * group_numbers() * sizeof(T))),
+          numbers_(model_.numbers.begin(), model_.numbers.end()),
+          crew_(threads)
+    {
+        for (int i = 0; i < crew_.size(); ++i) {
+            work_.push_back(block_of(kernels_.work_size(view_)));
+            kernels_.make_work(view_, work_.back().get());
+        }
+        std::fill_n(static_cast<T*>(state_.get()), std::size_t(groups_) * group_numbers(), T(0));
+        for (int i = 0; i < groups_ * lanes_; ++i) put_at_reference(i);
+        if (sizeof(T) == 4) options_.tolerance = 1e-5;
+    }
+
+    int number_size() const override { return int(sizeof(T)); }
+    int threads() const override { return crew_.size(); }
+
+    void read(Quantity quantity, int first, int count, void* to) const override
+    {
+        const int size = size_of(quantity), row = row_of(quantity);
+        for (int i = first; i < first + count; ++i) {
+            T* out = static_cast<T*>(to) + std::size_t(i - first) * std::size_t(size);
+            for (int k = 0; k < size; ++k) out[k] = at(i, row + k);
+            if (quantity == Quantity::kVelocities) turn_rates(i, out, false);
+        }
+    }
+
+    bool write(Quantity quantity, int first, int count, const void* from) override
+    {
+        const int size = size_of(quantity);
+        const T* in = static_cast<const T*>(from);
+        for (int i = 0; i < count; ++i)
+            if (!can_be(quantity, in + std::size_t(i) * std::size_t(size))) return false;
+        for (int i = 0; i < count; ++i) put(quantity, first + i, in + std::size_t(i) * std::size_t(size));
+        return true;
+    }
+
+    void bind(Quantity quantity, void* array) override
+    {
+        bound_[std::size_t(quantity)] = static_cast<T*>(array);
+    }
+
+    bool step(int steps) override
+    {
+        for (Quantity quantity : kWritable)
+            if (const T* array = bound(quantity); array && !write(quantity, 0, copies_, array)) return false;
+        crew_.work(groups_, [&](int group, int worker) {
+            T* its = static_cast<T*>(state_.get()) + std::size_t(group) * group_numbers();
+            for (int i = 0; i < steps; ++i)
+                kernels_.step(view_, options_, numbers_of(group), are_own(), its,
+                              work_[std::size_t(worker)].get());
+            write_bound(group);
+        });
+        return true;
+    }
+
+    void reset(const unsigned char* mask) override
+    {
+        for (int i = 0; i < copies_; ++i)
+            if (!mask || mask[i]) put_at_reference(i);
+        for (int group = 0; group < groups_; ++group) write_bound(group);
+    }
+
+    int bad() const override
+    {
+        int count = 0;
+        for (int i = 0; i < copies_; ++i) count += at(i, layout_.bad) > 0;
+        return count;
+    }
+
+    void read(Parameter parameter, int first, int count, void* to) const override
+    {
+        const int size = batch::size_of(model_, parameter);
+        T* out = static_cast<T*>(to);
+        for (int i = first; i < first + count; ++i)
+            for (int k = 0; k < size; ++k) *out++ = number(i, place_of(model_, parameter, k));
+    }
+
+    bool write(Parameter parameter, int first, int count, const void* from) override
+    {
+        const int size = batch::size_of(model_, parameter);
+        const T* in = static_cast<const T*>(from);
+        for (int i = 0; i < count * size; ++i)
+            if (!batch::can_be(model_, parameter, i % size, double(in[i]))) return false;
+        own_numbers();
+        for (int i = first; i < first + count; ++i)
+            for (int k = 0; k < size; ++k) put_number(parameter, i, k, *in++);
+        return true;
+    }
+
+  private:
+    static constexpr Quantity kWritable[] = {Quantity::kPositions, Quantity::kVelocities, Quantity::kControls,
+                                             Quantity::kApplied};
+
+    std::size_t group_numbers() const { return std::size_t(layout_.rows) * std::size_t(lanes_); }
+    T* bound(Quantity quantity) const { return bound_[std::size_t(quantity)]; }
+    T& at(int copy, int row) const
+    {
+        T* group = static_cast<T*>(state_.get()) + std::size_t(copy / lanes_) * group_numbers();
+        return group[row * lanes_ + copy % lanes_];
+    }
+
+    int row_of(Quantity quantity) const
+    {
+        const int rows[] = {layout_.q,      layout_.v,   layout_.control,  layout_.applied,
+                            layout_.forces, layout_.bad, layout_.residual, layout_.sweeps};
+        return rows[int(quantity)];
+    }
+
+    void put_at_reference(int copy)
+    {
+        for (int row = 0; row < layout_.rows; ++row) at(copy, row) = 0;
+        for (int k = 0; k < model_.positions; ++k)
+            at(copy, layout_.q + k) = T(model_.reference[std::size_t(k)]);
+    }
+
+    bool are_own() const { return !own_.empty(); }
+    std::size_t own_place(int copy, int number) const
+    {
+        const std::size_t group = std::size_t(copy / lanes_) * numbers_.size();
+        return (group + std::size_t(number)) * std::size_t(lanes_) + std::size_t(copy % lanes_);
+    }
+    T number(int copy, int number) const
+    {
+        return are_own() ? own_[own_place(copy, number)] : numbers_[std::size_t(number)];
+    }
+
+    // From now on each copy has all numbers of the model for itself.
+    void own_numbers()
+    {
+        if (are_own()) return;
+        own_.resize(std::size_t(groups_) * numbers_.size() * std::size_t(lanes_));
+        for (int i = 0; i < groups_ * lanes_; ++i)
+            for (std::size_t k = 0; k < numbers_.size(); ++k) own_[own_place(i, int(k))] = numbers_[k];
+    }
+
+    // With a mass the inertia about its centre changes in proportion.
+    void put_number(Parameter parameter, int copy, int which, T value)
+    {
+        const int place = place_of(model_, parameter, which);
+        T& number = own_[own_place(copy, place)];
+        if (parameter == Parameter::kMasses && number > 0)
+            for (int k = 0; k < 6; ++k)
+                own_[own_place(copy, place - link_number::kMass + link_number::kInertia + k)] *=
+                    value / number;
+        number = value;
+    }
+
+    const T* numbers_of(int group) const
+    {
+        return are_own() ? own_.data() + std::size_t(group) * numbers_.size() * std::size_t(lanes_)
+                         : numbers_.data();
+    }
+
+    // Of floating bases, between their links' axes and the world's.
+    void turn_rates(int copy, T* v, bool to_world) const
+    {
+        for (const BatchJoint& joint : model_.joints) {
+            if (joint.kind != JointKind::kFree) continue;
+            const int q = layout_.q + joint.position + 3;
+            const T sign = to_world ? T(1) : T(-1), w = at(copy, q);
+            const T x = sign * at(copy, q + 1), y = sign * at(copy, q + 2), z = sign * at(copy, q + 3);
+            T* a = v + joint.dof + 3;
+            const T tx = 2 * (y * a[2] - z * a[1]), ty = 2 * (z * a[0] - x * a[2]),
+                    tz = 2 * (x * a[1] - y * a[0]);
+            const T out[3] = {a[0] + w * tx + (y * tz - z * ty), a[1] + w * ty + (z * tx - x * tz),
+                              a[2] + w * tz + (x * ty - y * tx)};
+            std::copy_n(out, 3, a);
+        }
+    }
+
+    // Numbers whose squares are finite.
+    bool can_be(Quantity quantity, const T* its) const
+    {
+        const T most = sizeof(T) == 4 ? T(1e15) : T(1e60);
+        const int size = size_of(quantity);
+        if (!std::all_of(its, its + size, [&](T x) { return std::fabs(x) < most; })) return false;
+        if (quantity != Quantity::kPositions) return true;
+        for (const BatchJoint& joint : model_.joints) {
+            const int first = joint.position + (joint.kind == JointKind::kFree ? 3 : 0);
+            if ((joint.kind == JointKind::kFree || joint.kind == JointKind::kBall) &&
+                !(length2(its + first) > T(1e-6)))
+                return false;
+        }
+        return true;
+    }
+
+    static T length2(const T* q) { return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]; }
+
+    // Positions keep the angular velocity that is seen, in the link's axes; quaternions get unit length.
+    void put(Quantity quantity, int copy, const T* its)
+    {
+        std::vector<T>& values = row_;
+        values.assign(its, its + size_of(quantity));
+        if (quantity == Quantity::kPositions) return put_positions(copy, values);
+        if (quantity == Quantity::kVelocities) turn_rates(copy, values.data(), true);
+        const int row = row_of(quantity);
+        for (int k = 0; k < int(values.size()); ++k) at(copy, row + k) = values[std::size_t(k)];
+    }
+
+    void put_positions(int copy, std::vector<T>& values)
+    {
+        std::vector<T> v(static_cast<std::size_t>(model_.velocities));
+        bool changes = false;
+        for (int k = 0; k < model_.positions; ++k)
+            changes |= at(copy, layout_.q + k) != values[std::size_t(k)];
+        if (!changes) return;
+        read(Quantity::kVelocities, copy, 1, v.data());
+        for (const BatchJoint& joint : model_.joints) {
+            if (joint.kind != JointKind::kFree && joint.kind != JointKind::kBall) continue;
+            T* q = values.data() + joint.position + (joint.kind == JointKind::kFree ? 3 : 0);
+            const T length = std::sqrt(length2(q));
+            if (std::fabs(length - 1) > 4 * std::numeric_limits<T>::epsilon())
+                for (int k = 0; k < 4; ++k) q[k] /= length;
+        }
+        for (int k = 0; k < model_.positions; ++k) at(copy, layout_.q + k) = values[std::size_t(k)];
+        turn_rates(copy, v.data(), true);
+        for (int k = 0; k < model_.velocities; ++k) at(copy, layout_.v + k) = v[std::size_t(k)];
+    }
+
+    void write_bound(int group)
+    {
+        const int first = group * lanes_, count = std::min(lanes_, copies_ - first);
+        for (int q = 0; q < int(Quantity::kCount); ++q)
+            if (T* array = bound_[std::size_t(q)])
+                read(Quantity(q), first, count,
+                     array + std::size_t(first) * std::size_t(size_of(Quantity(q))));
+    }
+
+    const Kernels<T>& kernels_;
+    ModelView view_;
+    GroupLayout layout_;
+    int lanes_, groups_;
+    Block state_;
+    std::vector<T> numbers_, row_;
+    std::vector<T> own_;  // rows of lanes, group by group; empty: all copies share numbers_
+    std::vector<Block> work_;
+    std::array<T*, std::size_t(Quantity::kCount)> bound_{};
+    Crew crew_;
+};
+
+}  // namespace
+
+int AnyBatch::size_of(Quantity quantity) const
+{
+    switch (quantity) {
+        case Quantity::kPositions:
+            return model_.positions;
+        case Quantity::kControls:
+            return model_.controls;
+        case Quantity::kForces:
+            return model_.impulses();
+        case Quantity::kVelocities:
+        case Quantity::kApplied:
+            return model_.velocities;
+        default:
+            return 1;
+    }
+}
+
+std::unique_ptr<AnyBatch> make_batch(BatchModel model, int copies, bool doubles, int threads)
+{
+    if (doubles) return std::make_unique<Batch<double>>(std::move(model), copies, threads);
+    return std::make_unique<Batch<float>>(std::move(model), copies, threads);
+}
+
+}  // namespace epode::batch

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A batch: n copies of a model, in groups of as many as a register of this machine has lanes. Lanes of the last group that no copy
+// uses hold copies at the reference, which nobody sees.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "batch/crew.h"
+#include "batch/lanes/group.h"
+#include "batch/lanes/kernels.h"
+#include "batch/parameters.h"
+
+namespace epode::batch {
+
+// What of a copy can be read; positions, velocities, controls and applied forces can be written too.
+enum class Quantity {
+    kPositions,
+    kVelocities,
+    kControls,
+    kApplied,
+    kForces,
+    kBad,
+    kResidual,
+    kSweeps,
+    kCount
+};
+
+class AnyBatch {
+  public:
+    virtual ~AnyBatch() = default;
+    const BatchModel& model() const { return model_; }
+    int copies() const { return copies_; }
+    StepOptions& options() { return options_; }
+    int size_of(Quantity quantity) const;
+
+    virtual int number_size() const = 0;
+    virtual int threads() const = 0;
+    // `count` copies from `first` on, (count, size), in the batch's own numbers.
+    virtual void read(Quantity quantity, int first, int count, void* to) const = 0;
+    // False: a number that is not finite or, of a quaternion, no turn; nothing changes then.
+    virtual bool write(Quantity quantity, int first, int count, const void* from) = 0;
+    // Arrays (n, size) that every step reads before (what can be written) and writes after; null: none.
+    virtual void bind(Quantity quantity, void* array) = 0;
+    // False: a bound array has numbers that cannot be; nothing has changed.
+    virtual bool step(int steps) = 0;
+    // To the reference at rest, no controls, no forces, good again: where mask (n) is not 0; null: all.
+    virtual void reset(const unsigned char* mask) = 0;
+    virtual int bad() const = 0;  // how many
+    // (count, size) as above. Once one has been written, every copy has numbers of its own. False: a number that cannot be.
+    virtual void read(Parameter parameter, int first, int count, void* to) const = 0;
+    virtual bool write(Parameter parameter, int first, int count, const void* from) = 0;
+
+  protected:
+    AnyBatch(BatchModel model, int copies) : model_(std::move(model)), copies_(copies) {}
+    BatchModel model_;
+    int copies_;
+    StepOptions options_;
+};
+
+// Throws std::bad_alloc.
+std::unique_ptr<AnyBatch> make_batch(BatchModel model, int copies, bool doubles, int threads);
+
+}  // namespace epode::batch

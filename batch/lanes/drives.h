@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Forces along dofs. Springs k, dampers d and servos act at the step's end (implicit), as ODE's drives of ours do:
+//     M (v+ - v) = h (tau - c - k (q + h v+ - q0) - d v+)
+//     (M + h d + h^2 k) (v+ - v) = h (tau - c - k (q - q0) - (d + h k) v),
+// so M's diagonal gains h d + h^2 k. A servo whose force is limited is that where it stays within half of its limit, and elsewhere a
+// row of its own with that limit (rows.h), which has the same force wherever it does not reach it.
+#pragma once
+
+#include "batch/lanes/work.h"
+
+namespace epode::batch {
+namespace {
+
+template <typename P, bool own>
+struct Drives {
+    using T = typename P::Number;
+    const ModelView& model;
+    Numbers<P, own> numbers;
+    const P *q, *v, *control, *applied;
+    P h;
+    Work<P>& work;
+
+    void find() const
+    {
+        ServoWork<P>* servos = work.servos;
+        for (int i = 0; i < model.dofs.size(); ++i) passive(model.dofs[i], i);
+        for (const BatchJoint& joint : model.joints)
+            if (joint.kind == JointKind::kFree) turn_torque(joint);
+        for (int i = 0; i < model.servos; ++i) servos[i] = {P(0), P(0), P(0)};
+        for (int i = 0; i < model.actuators.size(); ++i) actuate(model.actuators[i], control[i], servos);
+        for (int i = 0; i < model.dofs.size(); ++i)
+            if (model.dofs[i].servo >= 0) settle(model.dofs[i], i, servos[model.dofs[i].servo]);
+    }
+
+    void passive(const Dof& dof, int i) const
+    {
+        const auto number = [&](int which) { return numbers[dof.first + which]; };
+        const P d = number(dof_number::kDamping), k = number(dof_number::kStiffness);
+        work.added[i] = number(dof_number::kArmature) + h * (d + h * k);
+        work.torque[i] = applied[i] - (d + h * k) * v[i];
+        if (!dof.is_scalar) return;
+        const P position = q[model.joints[dof.joint].position];
+        work.torque[i] = work.torque[i] - k * (position - number(dof_number::kRest));
+    }
+
+    // A torque on a floating base is given in its link's axes, where its velocity is in the world's.
+    void turn_torque(const BatchJoint& joint) const
+    {
+        const P* its = applied + joint.dof + 3;
+        const Vec3Of<P> turned = work.link[joint.link].r * Vec3Of<P>{its[0], its[1], its[2]};
+        const P by[3] = {turned.x, turned.y, turned.z};
+        for (int k = 0; k < 3; ++k)
+            work.torque[joint.dof + 3 + k] = work.torque[joint.dof + 3 + k] + (by[k] - its[k]);
+    }
+
+    void actuate(const BatchActuator& a, const P& control_of, ServoWork<P>* servos) const
+    {
+        const auto number = [&](int which) { return numbers[a.first + which]; };
+        const Dof& dof = model.dofs[a.dof];
+        const P gear = number(actuator_number::kGear),
+                u = clip(control_of, number(actuator_number::kLow), number(actuator_number::kHigh));
+        const P force = number(actuator_number::kGain) * u + number(actuator_number::kBias);
+        if (!a.is_servo) {
+            const P most = numbers[dof.first + dof_number::kForceLimit];
+            const P clipped =
+                gear * clip(force, number(actuator_number::kForceLow), number(actuator_number::kForceHigh));
+            work.torque[a.dof] = work.torque[a.dof] + clip(clipped, -most, most);
+            return;
+        }
+        const P k = gear * gear * number(actuator_number::kBiasPosition),
+                d = gear * gear * number(actuator_number::kBiasVelocity);
+        const P gain = d + h * k, at_rest = gear * force - k * q[a.position];
+        if (dof.servo >= 0) {
+            ServoWork<P>& its = servos[dof.servo];
+            its.force = its.force + at_rest, its.gain = its.gain + gain;
+        } else {
+            work.added[a.dof] = work.added[a.dof] + h * gain;
+            work.torque[a.dof] = work.torque[a.dof] + (at_rest - gain * v[a.dof]);
+        }
+    }
+
+    void settle(const Dof& dof, int i, ServoWork<P>& its) const
+    {
+        const P most = numbers[dof.first + dof_number::kForceLimit], now = its.force - its.gain * v[i];
+        its.wanted = if_greater(magnitude(now), P(T(0.5)) * most, P(1), P(0));
+        work.added[i] = work.added[i] + if_positive(its.wanted, P(0), h * its.gain);
+        work.torque[i] = work.torque[i] + if_positive(its.wanted, P(0), now);
+    }
+};
+
+}  // namespace
+}  // namespace epode::batch

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// How the state of a group of copies lies in memory: rows of as many numbers as it has lanes, counted here. Angular velocities of
+// floating bases are in the world's axes there; whoever reads them in the link's turns them.
+#pragma once
+
+#include "batch/model/model_view.h"
+
+namespace epode::batch {
+
+struct GroupLayout {
+    int q, v, control, applied, forces, next, bad, residual, sweeps, rows;
+
+    template <typename Model>
+    EPODE_ALWAYS explicit GroupLayout(const Model& model)
+        : q(0),
+          v(q + model.positions),
+          control(v + model.velocities),
+          applied(control + model.controls),
+          forces(applied + model.velocities),
+          next(forces + model.impulses()),
+          bad(next + model.positions),
+          residual(bad + 1),
+          sweeps(residual + 1),
+          rows(sweeps + 1)
+    {}
+};
+
+}  // namespace epode::batch

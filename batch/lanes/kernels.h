@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The step, compiled for one kind of machine and number: see step.h for what it does.
+#pragma once
+
+#include <cstddef>
+
+#include "batch/lanes/options.h"
+#include "batch/model/model_view.h"
+
+namespace epode::batch {
+
+template <typename T>
+struct Kernels {
+    int lanes;
+    // Bytes that a thread needs to step groups of the model, at a multiple of 64.
+    std::size_t (*work_size)(const ModelView&);
+    // Makes that memory ready, once.
+    void (*make_work)(const ModelView&, void* work);
+    // numbers: of the model, shared; or, if they are the copies' own, rows of lanes.
+    void (*step)(const ModelView&, const StepOptions&, const T* numbers, bool own, T* group, void* work);
+};
+
+// The best that this machine runs (EPODE_KERNELS may limit it).
+template <typename T>
+const Kernels<T>& best_kernels();
+
+}  // namespace epode::batch

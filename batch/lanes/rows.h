@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Constraints that are near in some copy, as rows in the factor's space: y = D^-1/2 L^-T J', whose support is that of J with all its
+// ancestors. In copies where a constraint is far its row has no inverse mass, so that its impulse stays 0: what neighbours do does not
+// matter. Impulses of the last step, kept as forces, are where sweeps begin.
+//   gap g > 0   may close within the step, not more: J v >= -g / h
+//   overlap     a share of it is taken back: J v >= min(erp (-g) / h, most)
+//   spring k, d force -k (g + h J v) - d J v: J v + impulse / (h (h k + d)) >= -g k / (h k + d)
+#pragma once
+
+#include "batch/lanes/drives.h"
+#include "batch/lanes/points.h"
+
+namespace epode::batch {
+namespace {
+
+template <typename P>
+struct Law {
+    P bias, soft;
+};
+
+template <typename P>
+EPODE_LANEWISE Law<P> law_of(const P& gap, const P& stiffness, const P& damping, const StepOptions& options)
+{
+    using T = typename P::Number;
+    const P h(T(options.h)), rate(T(1 / options.h)), implicit = h * stiffness + damping;
+    const P soft = if_positive(stiffness, P(1) / (h * implicit), P(0));
+    const P share = if_positive(stiffness, stiffness / implicit, P(T(options.erp / options.h)));
+    const P back = at_most(P(T(options.most_correction)), share * -gap);
+    return {if_positive(gap, -gap * rate, back), soft};
+}
+
+// Any right-handed frame of a unit vector: Duff et al., Building an orthonormal basis, revisited, JCGT 6(1), 2017.
+template <typename P>
+EPODE_LANEWISE void tangents(const Vec3Of<P>& n, Vec3Of<P>& t1, Vec3Of<P>& t2)
+{
+    const P zero(0), one(1), sign = if_greater(zero, n.z, -one, one), a = -one / (sign + n.z),
+                             b = n.x * n.y * a;
+    t1 = {one + sign * (n.x * n.x * a), sign * b, -(sign * n.x)};
+    t2 = {b, sign + n.y * n.y * a, -n.y};
+}
+
+template <typename P, bool own>
+struct Rows {
+    using T = typename P::Number;
+    const ModelView& model;
+    Numbers<P, own> numbers;
+    const StepOptions& options;
+    const P *q, *v, *forces;  // of the last step, of all constraints
+    Work<P>& work;
+
+    void find() const
+    {
+        work.contact_count = work.single_count = work.row_end = 0;
+        for (int i = 0; i < model.dofs.size(); ++i) work.has_column[i] = false;
+        for (const Dof& dof : model.dofs) {
+            if (dof.dry >= 0) dry(dof);
+            if (dof.servo >= 0) servo(dof);
+            if (dof.limit >= 0) limit(dof);
+        }
+        Points<P, own>{model, numbers, work}.place();
+        for (const BatchPair& pair : model.pairs) touch(pair);
+    }
+
+    // In `forces` and `impulses`: contacts, limits, dry friction, servos.
+    int limit_at(const Dof& dof) const { return 3 * model.slots + dof.limit; }
+    int dry_at(const Dof& dof) const { return 3 * model.slots + model.limits + dof.dry; }
+    int servo_at(const Dof& dof) const { return 3 * model.slots + model.limits + model.dry + dof.servo; }
+
+    // y of a unit force along the dof.
+    P* column(const Dof& dof) const
+    {
+        const int number = model.chains[dof.chain + dof.depth];
+        P* y = work.columns + dof.row;
+        if (work.has_column[number]) return y;
+        work.has_column[number] = true;
+        const int* chain = model.chains.first + dof.chain;
+        for (int k = 0; k < dof.depth; ++k) y[k] = P(0);
+        y[dof.depth] = P(1);
+        for (int k = dof.depth; k >= 0; --k) {
+            const P* row = work.m + model.dofs[chain[k]].row;
+            for (int l = 0; l < k; ++l) y[l] = y[l] - row[l] * y[k];
+        }
+        for (int k = 0; k <= dof.depth; ++k) y[k] = work.root[chain[k]] * y[k];
+        return y;
+    }
+
+    SingleRow<P>& single(const Dof& dof, int at, const P& sign, const P& wanted, const Law<P>& law) const
+    {
+        SingleRow<P>& row = work.singles[work.single_count++];
+        row.dof = &dof, row.y = column(dof), row.impulse = work.impulses + at;
+        P square(0);
+        for (int k = 0; k <= dof.depth; ++k) square = square + row.y[k] * row.y[k];
+        row.sign = sign, row.bias = law.bias, row.soft = law.soft;
+        row.d = if_positive(wanted, square + law.soft, P(0)), row.mass = inverse_or_zero(row.d);
+        return row;
+    }
+
+    void begin(const SingleRow<P>& row, int at) const
+    {
+        *row.impulse = clip(if_positive(row.d, P(T(options.h)) * forces[at], P(0)), row.low, row.high);
+        P* const* z = work.chain_z + row.dof->chain;
+        for (int k = 0; k <= row.dof->depth; ++k) *z[k] = *z[k] + row.sign * (row.y[k] * *row.impulse);
+    }
+
+    void dry(const Dof& dof) const
+    {
+        const P most = P(T(options.h)) * numbers[dof.first + dof_number::kFriction];
+        SingleRow<P>& row = single(dof, dry_at(dof), P(1), P(1), {P(0), P(0)});
+        row.low = -most, row.high = most;
+        begin(row, dry_at(dof));
+    }
+
+    void servo(const Dof& dof) const
+    {
+        const ServoWork<P>& its = work.servos[dof.servo];
+        work.impulses[servo_at(dof)] = P(0);
+        if (!any_positive(its.wanted)) return;
+        const P h(T(options.h)), gain = inverse_or_zero(its.gain), zero(0);
+        const P most = if_positive(its.wanted, h * numbers[dof.first + dof_number::kForceLimit], zero);
+        SingleRow<P>& row = single(dof, servo_at(dof), P(1), its.wanted, {its.force * gain, gain / h});
+        row.low = -most, row.high = most;
+        begin(row, servo_at(dof));
+    }
+
+    void limit(const Dof& dof) const
+    {
+        const int at = limit_at(dof), number = model.chains[dof.chain + dof.depth];
+        const P position = q[model.joints[dof.joint].position], zero(0), one(1);
+        const P below = position - numbers[dof.first + dof_number::kLow],
+                above = numbers[dof.first + dof_number::kHigh] - position;
+        const P sign = if_greater(below, above, -one, one), gap = at_most(below, above);
+        const P reach = P(T(kNearLimit)) + P(T(2 * options.h)) * magnitude(v[number]);
+        const P near = if_greater(reach, gap, one, zero);
+        work.impulses[at] = zero;
+        if (!any_positive(near)) return;
+        const Law<P> law = law_of(gap, numbers[dof.first + dof_number::kStopStiffness],
+                                  numbers[dof.first + dof_number::kStopDamping], options);
+        SingleRow<P>& row = single(dof, at, sign, near, law);
+        row.low = zero, row.high = if_positive(near, P(T(1e30)), zero);
+        begin(row, at);
+    }
+
+    void touch(const BatchPair& pair) const
+    {
+        Points<P, own>{model, numbers, work}.find(pair);
+        for (int k = 0; k < pair.slots; ++k) {
+            P* impulse = work.impulses + 3 * (pair.first_slot + k);
+            impulse[0] = impulse[1] = impulse[2] = P(0);
+            const P near = nearness(pair, k);
+            if (any_positive(near)) contact(pair, k, near, impulse);
+        }
+    }
+
+    Vec3Of<P> to_b(const Support& support) const
+    {
+        return work.origin[support.tree_b] - work.origin[support.tree_a];
+    }
+
+    // 1 where the gap is within reach of what the surfaces may approach in two steps.
+    P nearness(const BatchPair& pair, int k) const
+    {
+        const Support& support = model.supports[pair.support];
+        const int a = model.shapes[pair.shape_a].link, b = model.shapes[pair.shape_b].link;
+        const Vec3Of<P>& point = work.points[k];
+        const Spatial<P>& one = work.link[a].velocity;
+        Vec3Of<P> apart = one.v + cross(one.w, point);
+        if (support.of_b > 0) {
+            const Spatial<P>& two = work.link[b].velocity;
+            const Vec3Of<P> at = support.tree_a == support.tree_b ? point : point - to_b(support);
+            apart = apart - (two.v + cross(two.w, at));
+        }
+        const P reach = P(T(options.reach)) + P(T(2 * options.h)) * magnitude(dot(work.normals[k], apart));
+        return if_greater(reach, work.gaps[k], P(1), P(0));
+    }
+
+    // J of one link along its own dofs, in three directions.
+    EPODE_LANEWISE void fill(const Support& support, int from, int count, const Vec3Of<P>& point,
+                             const Vec3Of<P>* axes, bool upright, bool negative, P* y, int width) const
+    {
+        for (int k = from; k < from + count; ++k) {
+            const Spatial<P>& s = work.s[model.support_dofs[support.first + k]];
+            Vec3Of<P> u = s.v + cross(s.w, point);
+            if (negative) u = {-u.x, -u.y, -u.z};
+            y[k] = upright ? u.z : dot(axes[0], u);
+            y[width + k] = upright ? u.x : dot(axes[1], u);
+            y[2 * width + k] = upright ? u.y : dot(axes[2], u);
+        }
+    }
+
+    // L^-T and D^-1/2 along the support. Of b's own dofs chains go on behind those of a.
+    EPODE_LANEWISE void carry(const Support& support, P* y) const
+    {
+        const int width = support.count(), first_b = support.common + support.of_a;
+        const int* dofs = model.support_dofs.first + support.first;
+        for (int k = width; k-- > 0;) {
+            const Dof& dof = model.dofs[dofs[k]];
+            const P* row = work.m + dof.row;
+            const P y0 = y[k], y1 = y[width + k], y2 = y[2 * width + k], root = work.root[dofs[k]];
+            for (int l = 0; l < dof.depth; ++l) {
+                const int to = k >= first_b && l >= support.common ? l + support.of_a : l;
+                y[to] = y[to] - row[l] * y0;
+                y[width + to] = y[width + to] - row[l] * y1;
+                y[2 * width + to] = y[2 * width + to] - row[l] * y2;
+            }
+            y[k] = root * y0, y[width + k] = root * y1, y[2 * width + k] = root * y2;
+        }
+    }
+
+    void contact(const BatchPair& pair, int k, const P& near, P* impulse) const
+    {
+        const Support& support = model.supports[pair.support];
+        const int width = support.count();
+        ContactRow<P>& row = work.contacts[work.contact_count++];
+        row.support = &support, row.y = work.rows + work.row_end, row.impulse = impulse;
+        work.row_end += 3 * width;
+        Vec3Of<P> axes[3] = {work.normals[k], {}, {}};
+        if (!pair.is_upright) tangents(axes[0], axes[1], axes[2]);
+        for (int l = 0; l < support.common; ++l) row.y[l] = row.y[width + l] = row.y[2 * width + l] = P(0);
+        fill(support, support.common, support.of_a, work.points[k], axes, pair.is_upright, false, row.y,
+             width);
+        if (support.of_b > 0) {
+            const Vec3Of<P> at =
+                support.tree_a == support.tree_b ? work.points[k] : work.points[k] - to_b(support);
+            fill(support, support.common + support.of_a, support.of_b, at, axes, pair.is_upright, true, row.y,
+                 width);
+        }
+        carry(support, row.y);
+        const Law<P> law = law_of(work.gaps[k], numbers[pair.first + pair_number::kStiffness],
+                                  numbers[pair.first + pair_number::kDamping], options);
+        row.bias = law.bias, row.soft = law.soft;
+        row.friction = if_positive(near, numbers[pair.first + pair_number::kFriction], P(0));
+        find_block(row, width, near);
+        begin(row, forces + (impulse - work.impulses), width);
+    }
+
+    EPODE_LANEWISE void find_block(ContactRow<P>& row, int width, const P& near) const
+    {
+        P d(0), a(0), b(0), c(0), n1(0), n2(0);
+        for (int l = 0; l < width; ++l) {
+            const P y0 = row.y[l], y1 = row.y[width + l], y2 = row.y[2 * width + l];
+            d = d + y0 * y0, a = a + y1 * y1, b = b + y1 * y2, c = c + y2 * y2, n1 = n1 + y0 * y1,
+            n2 = n2 + y0 * y2;
+        }
+        const P half(T(0.5)), zero(0), mean = half * (a + c), apart = half * (a - c);
+        row.d = if_positive(near, d + row.soft, zero), row.mass = inverse_or_zero(row.d);
+        row.e = if_positive(near, mean + square_root(apart * apart + b * b), zero),
+        row.step = inverse_or_zero(row.e);
+        row.a = a, row.b = b, row.c = c, row.n1 = n1, row.n2 = n2;
+        row.inverse = if_positive(near, inverse_or_zero(a * c - b * b), zero);
+    }
+
+    EPODE_LANEWISE void begin(const ContactRow<P>& row, const P* kept, int width) const
+    {
+        const P h(T(options.h)), zero(0);
+        for (int k = 0; k < 3; ++k) row.impulse[k] = if_positive(row.d, h * kept[k], zero);
+        P* const* zs = work.support_z + row.support->first;
+        for (int l = 0; l < width; ++l) {
+            P& z = *zs[l];
+            z = z + row.y[l] * row.impulse[0] + row.y[width + l] * row.impulse[1] +
+                row.y[2 * width + l] * row.impulse[2];
+        }
+    }
+
+    static constexpr double kNearLimit = 0.01;  // rad or m: limits nearer than this have rows
+};
+
+}  // namespace
+}  // namespace epode::batch

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// One step of a group: as many copies as a register has lanes, their rows of numbers one behind the other in memory (group.h). A copy
+// whose velocities are no longer finite, or beyond what positions can take, keeps its last state and is flagged; it is not stepped
+// again before it is reset.
+#pragma once
+
+#include "batch/lanes/group.h"
+#include "batch/lanes/integrate.h"
+#include "batch/lanes/mass.h"
+#include "batch/lanes/rows.h"
+#include "batch/lanes/solve.h"
+
+namespace epode::batch {
+namespace {
+
+template <typename P>
+EPODE_LANEWISE P* rows_at(typename P::Number* group, int row)
+{
+    return reinterpret_cast<P*>(group + row * P::kLanes);
+}
+
+// Angular velocities of floating bases from their links' axes to the world's, or back.
+template <typename P>
+void turn_rates(const ModelView& model, const P* q, bool to_world, P* v)
+{
+    for (const BatchJoint& joint : model.joints) {
+        if (joint.kind != JointKind::kFree) continue;
+        const P *at = q + joint.position + 3, sign(to_world ? 1 : -1);
+        P* w = v + joint.dof + 3;
+        const Vec3Of<P> out =
+            rotated(Vec4Of<P>{at[0], sign * at[1], sign * at[2], sign * at[3]}, Vec3Of<P>{w[0], w[1], w[2]});
+        w[0] = out.x, w[1] = out.y, w[2] = out.z;
+    }
+}
+
+template <typename P, bool own>
+struct Step {
+    using T = typename P::Number;
+    const ModelView& model;
+    const StepOptions& options;
+    Numbers<P, own> numbers;
+    Work<P>& work;
+
+    void take(T* group) const
+    {
+        const GroupLayout at(model);
+        P *q = rows_at<P>(group, at.q), *v = rows_at<P>(group, at.v), *forces = rows_at<P>(group, at.forces);
+        const P h(T(options.h));
+        Motion<P, own>{model, numbers, q, v, work}.find();
+        Drives<P, own>{model, numbers, q, v, rows_at<P>(group, at.control), rows_at<P>(group, at.applied),
+                       h,     work}
+            .find();
+        find_mass(model, work);
+        factor(model, work);
+        find_free_motion(model, v, h, work);
+        Rows<P, own>{model, numbers, options, q, v, forces, work}.find();
+        Solve<P>{model, options, work}.find();
+        find_velocity(model, work);
+        finish(group, at, q, v, forces, h);
+    }
+
+    // 0 where it has gone bad, now or before.
+    P goodness(const P& bad) const
+    {
+        const P most(T(sizeof(T) == 4 ? 1e15 : 1e60)), zero(0);
+        P good = if_positive(bad, zero, P(1));
+        for (int i = 0; i < model.velocities; ++i)
+            good = if_greater(most, magnitude_or_nan(work.v[i]), good, zero);
+        return good;
+    }
+
+    static P magnitude_or_nan(const P& x) { return x * if_greater(P(0), x, P(-1), P(1)); }
+
+    void finish(T* group, const GroupLayout& at, P* q, P* v, P* forces, const P& h) const
+    {
+        P &bad = *rows_at<P>(group, at.bad), *next = rows_at<P>(group, at.next);
+        const P good = goodness(bad), zero(0), rate(T(1 / options.h));
+        for (int i = 0; i < model.positions; ++i) next[i] = q[i];
+        integrate(model, work.v, h, next);
+        // Plus zero: a zero has one sign, whatever the neighbours' rows were.
+        for (int i = 0; i < model.velocities; ++i) v[i] = if_positive(good, work.v[i] + zero, v[i]);
+        for (int i = 0; i < model.positions; ++i) q[i] = if_positive(good, next[i] + zero, q[i]);
+        for (int i = 0; i < model.impulses(); ++i)
+            forces[i] = if_positive(good, rate * work.impulses[i] + zero, zero);
+        bad = if_positive(good, zero, P(1));
+        *rows_at<P>(group, at.residual) = work.worst, *rows_at<P>(group, at.sweeps) = work.sweeps;
+    }
+};
+
+}  // namespace
+}  // namespace epode::batch

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A robot's model as flat arrays, for kernels that step many copies of it side by side. Topology is whole numbers, the same for all
+// copies; everything that has a unit is one of `numbers`, which copies may have of their own.
+//
+// A degree of freedom (dof) is one component of the velocity; its chain is those of its ancestors, from the root on, and itself. Chains
+// of a tree are prefixes of one another, so a row of the mass matrix is stored along the chain of its dof.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "robots/build.h"
+
+namespace epode::batch {
+
+using robots::JointKind;
+
+// Numbers of an element, counted from its `first`.
+namespace link_number {
+enum : int {
+    kPlace = 0,
+    kTurn = 3,
+    kMass = 7,
+    kCentre = 8,
+    kInertia = 11,
+    kCount = 17
+};  // inertia xx yy zz xy xz yz
+}
+namespace joint_number {
+enum : int { kAxis = 0, kAnchor = 3, kReference = 6, kCount = 7 };
+}
+namespace dof_number {
+enum : int {
+    kArmature,
+    kDamping,
+    kStiffness,
+    kRest,
+    kFriction,
+    kLow,
+    kHigh,
+    kStopStiffness,
+    kStopDamping,
+    kForceLimit,
+    kCount
+};
+}
+namespace actuator_number {
+enum : int { kGear, kGain, kBias, kBiasPosition, kBiasVelocity, kLow, kHigh, kForceLow, kForceHigh, kCount };
+}
+namespace shape_number {
+enum : int { kPlace = 0, kTurn = 3, kSize = 7, kCount = 10 };
+}
+namespace pair_number {
+enum : int { kFriction, kStiffness, kDamping, kCount };  // stiffness 0: rigid
+}
+
+struct BatchLink {
+    int parent = 0, first_joint = 0, joints = 0;
+    int tree = 0;           // which floating or fixed base carries it
+    int first = 0;          // of its numbers
+    int last_dof = -1;      // the deepest that moves it; -1: it stands still
+    bool is_turned = true;  // against its parent, at the reference
+    bool is_weightless = false;
+};
+
+struct BatchJoint {
+    JointKind kind = JointKind::kHinge;
+    int link = 0, position = 0, dof = 0, first = 0;
+    bool is_at_origin = false;  // of its link's frame: its anchor is zero
+};
+
+struct Dof {
+    int link = 0, joint = 0, depth = 0;  // depth: how many ancestors it has
+    int chain = 0;                       // where its chain begins among all
+    int row = 0;  // where its row of the mass matrix begins: along the chain, itself last
+    int first = 0;
+    bool is_limited = false, has_friction = false, is_scalar = false;
+    int limit = -1, dry = -1, servo = -1;  // which warm impulse is whose
+};
+
+struct BatchActuator {
+    int dof = 0, position = 0, first = 0;
+    bool is_servo = false;
+};
+
+enum class PointKind {  // of a pair: the shape of link a, then that of link b
+    kSpherePlane,
+    kCapsulePlane,
+    kBoxPlane,
+    kCylinderPlane,
+    kEllipsoidPlane,
+    kSphereSphere,
+    kSphereCapsule,
+    kCapsuleCapsule,
+    kSphereBox
+};
+int points_of(PointKind kind);
+
+struct BatchShape {
+    int link = 0, first = 0;
+    bool is_turned = true;
+};
+
+// Two shapes that may touch. The normal of a contact points from b to a.
+struct BatchPair {
+    PointKind kind = PointKind::kSpherePlane;
+    int shape_a = 0, shape_b = 0, first = 0;
+    int slots = 0, first_slot = 0;
+    int support = 0;          // of its rows, among all supports
+    bool is_upright = false;  // a plane whose normal is z
+};
+
+// The dofs that a contact between two links moves: those that both have, whose own effects cancel, then those of one and of the other.
+struct Support {
+    int first = 0, common = 0, of_a = 0, of_b = 0;  // dofs, from `first` on in support_dofs
+    int tree_a = 0, tree_b = 0;
+    [[gnu::always_inline]] int count() const { return common + of_a + of_b; }
+};
+
+struct BatchModel {
+    std::string name;
+    std::vector<BatchLink> links;
+    std::vector<BatchJoint> joints;
+    std::vector<Dof> dofs;
+    std::vector<int> chains;
+    std::vector<BatchActuator> actuators;
+    std::vector<BatchShape> shapes;
+    std::vector<BatchPair> pairs;
+    std::vector<Support> supports;
+    std::vector<int> support_dofs;
+    std::vector<double> numbers;
+    std::vector<double> reference;  // positions
+    int positions = 0, velocities = 0, controls = 0, trees = 0, slots = 0,
+        entries = 0;                      // entries: of the mass matrix
+    int limits = 0, dry = 0, servos = 0;  // rows that they may make
+    int gravity = 0;                      // where its three numbers begin
+    // Of all rows of constraints the impulses of the last step, three a slot of contact.
+    int impulses() const { return 3 * slots + limits + dry + servos; }
+};
+
+// False: what a batch cannot take, as a sentence that names the element.
+bool compile(const robots::Prepared& prepared, BatchModel& out, std::string& refusal);
+
+}  // namespace epode::batch

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A BatchModel as kernels see it: plain pointers. What is compiled for better machines than the baseline must call no function that
+// others share, or the linker might keep that machine's for all; everything here is inlined always.
+#pragma once
+
+#include "batch/model/batch_model.h"
+
+#define EPODE_ALWAYS [[gnu::always_inline]] inline
+
+namespace epode::batch {
+
+template <typename X>
+struct Items {
+    const X* first = nullptr;
+    int count = 0;
+
+    EPODE_ALWAYS const X& operator[](int i) const { return first[i]; }
+    EPODE_ALWAYS int size() const { return count; }
+    EPODE_ALWAYS const X* begin() const { return first; }
+    EPODE_ALWAYS const X* end() const { return first + count; }
+};
+
+template <typename X>
+Items<X> items_of(const std::vector<X>& from)
+{
+    return {from.data(), int(from.size())};
+}
+
+struct ModelView {
+    explicit ModelView(const BatchModel& model)
+        : links(items_of(model.links)),
+          joints(items_of(model.joints)),
+          dofs(items_of(model.dofs)),
+          chains(items_of(model.chains)),
+          actuators(items_of(model.actuators)),
+          shapes(items_of(model.shapes)),
+          pairs(items_of(model.pairs)),
+          supports(items_of(model.supports)),
+          support_dofs(items_of(model.support_dofs)),
+          positions(model.positions),
+          velocities(model.velocities),
+          controls(model.controls),
+          trees(model.trees),
+          slots(model.slots),
+          entries(model.entries),
+          limits(model.limits),
+          dry(model.dry),
+          servos(model.servos),
+          gravity(model.gravity)
+    {}
+
+    Items<BatchLink> links;
+    Items<BatchJoint> joints;
+    Items<Dof> dofs;
+    Items<int> chains;
+    Items<BatchActuator> actuators;
+    Items<BatchShape> shapes;
+    Items<BatchPair> pairs;
+    Items<Support> supports;
+    Items<int> support_dofs;
+    int positions, velocities, controls, trees, slots, entries, limits, dry, servos, gravity;
+
+    EPODE_ALWAYS int impulses() const { return 3 * slots + limits + dry + servos; }
+};
+
+}  // namespace epode::batch

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Numbers of the model that copies may have of their own: where each stands among BatchModel's numbers, and what it may be.
+#pragma once
+
+#include "batch/model/batch_model.h"
+
+namespace epode::batch {
+
+enum class Parameter { kGravity, kMasses, kFrictions, kArmatures, kDampings, kStiffnesses, kGains, kCount };
+
+int size_of(const BatchModel& model, Parameter parameter);
+int place_of(const BatchModel& model, Parameter parameter, int number);
+// Masses of moving links are above 0, those of others 0 or more; gravity and gains any, the rest 0 or more; all below 1e15.
+bool can_be(const BatchModel& model, Parameter parameter, int number, double value);
+
+}  // namespace epode::batch

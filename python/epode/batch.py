@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""Many copies of one robot, stepped side by side in the lanes of the machine's registers.
+
+>>> import epode
+>>> model = epode.robot.from_text('''<mujoco><worldbody><geom type="plane" size="9 9 1"/>
+... <body pos="0 0 1"><freejoint/><geom size="0.1"/></body></worldbody></mujoco>''')
+>>> batch = epode.Batch(model, 1000, stepsize=0.005)
+>>> qpos = batch.bind("qpos")
+>>> batch.step(400)
+>>> bool(abs(qpos[:, 2] - 0.1).max() < 1e-3)
+True
+"""
+from __future__ import annotations
+
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _c
+from .errors import RefusedError
+from .robot import Model
+from .world import World
+
+_QUANTITIES = ("qpos", "qvel", "ctrl", "applied", "forces", "bad", "residual", "sweeps")
+_PARAMETERS = ("gravity", "mass", "friction", "armature", "damping", "stiffness", "gain")
+
+
+def _number_in(names: tuple[str, ...], name: str, what: str) -> int:
+    if name not in names:
+        raise ValueError(f"no {what} is called {name!r}: {', '.join(names)}")
+    return names.index(name)
+
+
+class Batch:
+    """n copies of a model. Arrays have a row for each copy: qpos and qvel are coordinates and velocities as the model's ``joints``
+    number them, ctrl the actuators' controls, applied forces along the velocities; forces (of contact points, limits, dry friction,
+    servos), bad (1: the copy left the finite and waits for its reset), residual and sweeps of the last step can only be read.
+
+    dtype: "float32" or "float64". threads: 0 for as many as the machine has. stepsize: s. erp, max_correction: the share of an
+    overlap that a step takes back, and how fast. reach: surfaces nearer than this are looked at. tolerance: sweeps end when the last
+    one changed no speed by more, m/s; 0: 1e-5 in floats, 1e-6 in doubles."""
+
+    def __init__(self, model: Model, copies: int, *, dtype: Literal["float32", "float64"] = "float32", threads: int = 0,
+                 stepsize: float = 0.002, erp: float = 0.2, max_correction: float = 2.0, reach: float = 0.005, tolerance: float = 0.0,
+                 max_sweeps: int = 200) -> None:
+        self.dtype = np.dtype(dtype)
+        if self.dtype not in (np.dtype("float32"), np.dtype("float64")):
+            raise ValueError(f"float32 or float64 is expected, not {self.dtype}")
+        options = {"stepsize": stepsize, "erp": erp, "max_correction": max_correction, "reach": reach, "tolerance": tolerance,
+                   "max_sweeps": max_sweeps}
+        self.model = model
+        self.stepsize = stepsize
+        self._arguments = {**options, "dtype": str(self.dtype), "threads": threads}
+        try:
+            self._batch = _c._Batch(model._model, copies, self.dtype.itemsize == 8, threads, options)
+        except ValueError as problem:
+            raise RefusedError(str(problem)) from None
+        self._bound: dict[str, NDArray[Any]] = {}
+
+    def __repr__(self) -> str:
+        return f"<Batch of {self.copies} {self.model.name!r}, {self.dtype}, {self.threads} threads>"
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a batch cannot be pickled: pickle its arrays (read) and make another one")
+
+    @property
+    def copies(self) -> int:
+        return self._batch.copies
+
+    @property
+    def threads(self) -> int:
+        return self._batch.threads
+
+    @property
+    def bad(self) -> int:
+        """How many copies are bad."""
+        return self._batch.bad
+
+    def size(self, name: str) -> int:
+        """How many numbers of the quantity a copy has."""
+        return self._batch.size(_number_in(_QUANTITIES, name, "quantity"))
+
+    def bind(self, name: str) -> NDArray[Any]:
+        """The live array (copies, size) of a quantity: steps and resets write it, and steps first read qpos, qvel, ctrl and applied."""
+        if name not in self._bound:
+            array = np.empty((self.copies, self.size(name)), self.dtype)
+            self._batch.bind(_QUANTITIES.index(name), array)
+            self._bound[name] = array
+        return self._bound[name]
+
+    def read(self, name: str) -> NDArray[Any]:
+        """A new array (copies, size)."""
+        array = np.empty((self.copies, self.size(name)), self.dtype)
+        self._batch.read(_QUANTITIES.index(name), 0, self.copies, array)
+        return array
+
+    def write(self, name: str, values: ArrayLike) -> None:
+        """Sets qpos, qvel, ctrl or applied of all copies: (copies, size), or a row for all."""
+        number, size = _number_in(_QUANTITIES, name, "quantity"), self.size(name)
+        array = self._rows(values, size)
+        self._batch.write(number, 0, self.copies, array)
+        if name in self._bound:
+            self._batch.read(number, 0, self.copies, self._bound[name])
+
+    def _rows(self, values: ArrayLike, size: int) -> NDArray[Any]:
+        given = np.asarray(values, self.dtype)
+        if given.shape not in ((self.copies, size), (size,)):
+            raise ValueError(f"an array ({self.copies}, {size}) or a row of {size} is expected, not {given.shape}")
+        return np.array(np.broadcast_to(given, (self.copies, size)), order="C")
+
+    def get(self, parameter: str) -> NDArray[Any]:
+        """A new array (copies, size) of gravity, mass, friction (of pairs of shapes), armature, damping, stiffness or gain."""
+        number = _number_in(_PARAMETERS, parameter, "parameter")
+        array = np.empty((self.copies, self._batch.parameter_size(number)), self.dtype)
+        self._batch.read_parameter(number, 0, self.copies, array)
+        return array
+
+    def set(self, parameter: str, values: ArrayLike) -> None:
+        """Gives each copy such numbers of its own: (copies, size), or a row for all."""
+        number = _number_in(_PARAMETERS, parameter, "parameter")
+        array = self._rows(values, self._batch.parameter_size(number))
+        self._batch.write_parameter(number, 0, self.copies, array)
+
+    def step(self, steps: int = 1) -> None:
+        """Advance all copies. Other threads go on meanwhile; Ctrl-C ends it between two steps."""
+        self._batch.step(steps)
+
+    def reset(self, mask: ArrayLike | None = None) -> None:
+        """Puts copies back to the reference, at rest: those that the mask says, or all."""
+        self._batch.reset(None if mask is None else np.ascontiguousarray(mask, bool))
+
+    def rollout(self, controls: ArrayLike, *, steps: int = 1) -> tuple[NDArray[Any], NDArray[Any]]:
+        """Steps with controls (copies, times, actuators), `steps` each. Returns qpos and qvel (copies, times, size) after each time."""
+        given = np.asarray(controls, self.dtype)
+        if given.ndim != 3 or given.shape[::2] != (self.copies, self.size("ctrl")):
+            raise ValueError(f"controls ({self.copies}, times, {self.size('ctrl')}) are expected, not {given.shape}")
+        times = given.shape[1]
+        qpos = np.empty((self.copies, times, self.size("qpos")), self.dtype)
+        qvel = np.empty((self.copies, times, self.size("qvel")), self.dtype)
+        for time in range(times):
+            self.write("ctrl", given[:, time])
+            self.step(steps)
+            qpos[:, time], qvel[:, time] = self.read("qpos"), self.read("qvel")
+        return qpos, qvel
+
+    def world(self, copy: int) -> World:
+        """A new world with the model's robot in the state of one copy, to look at or to go on with."""
+        world = World(gravity=self.get("gravity")[copy].astype(float))
+        world.use_defaults("robot")
+        robot = self.model.build(world)
+        robot.positions = self.read("qpos")[copy].astype(float)
+        robot.velocities = self.read("qvel")[copy].astype(float)
+        robot.controls = self.read("ctrl")[copy].astype(float)
+        return world

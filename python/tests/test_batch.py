@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""Batches as a user has them: arrays that live, refusals that change nothing, the same bits on any threads."""
+import os
+import pickle
+
+import numpy as np
+import pytest
+
+import epode
+
+WALKER = """<mujoco model="walker"><compiler angle="radian"/><default><geom contype="0" conaffinity="1"/></default><worldbody>
+<geom type="plane" size="9 9 1" contype="1" conaffinity="0"/><body name="trunk" pos="0 0 0.6"><freejoint/>
+<geom type="capsule" size="0.1 0.2" euler="0 1.57 0" mass="3"/><body name="leg" pos="0.2 0 0"><joint name="hip" axis="0 1 0" range="-1 1"
+damping="0.5" armature="0.01"/><geom type="capsule" fromto="0 0 0 0 0 -0.4" size="0.04" mass="1"/></body></body></worldbody>
+<actuator><motor joint="hip" gear="20" ctrlrange="-1 1"/></actuator></mujoco>"""
+
+
+@pytest.fixture
+def model():
+    return epode.robot.from_text(WALKER)
+
+
+def driven(model, **options):
+    batch = epode.Batch(model, 50, stepsize=0.004, **options)
+    batch.write("ctrl", np.random.default_rng(1).uniform(-1, 1, (50, 1)))
+    batch.step(200)
+    return batch
+
+
+def test_bound_arrays_live(model):
+    batch = epode.Batch(model, 3)
+    qpos, ctrl = batch.bind("qpos"), batch.bind("ctrl")
+    assert qpos.shape == (3, 8) and qpos.dtype == np.float32 and batch.bind("qpos") is qpos
+    before = qpos.copy()
+    ctrl[1] = 1
+    batch.step(10)
+    assert (qpos[0] == qpos[2]).all() and (qpos[0] != qpos[1]).any() and (qpos != before).any()
+    batch.reset(np.array([True, False, False]))
+    assert (qpos[0] == before[0]).all() and (qpos[2] != before[2]).any()
+
+
+@pytest.mark.parametrize("dtype", ["float32", "float64"])
+def test_threads_leave_the_bits(model, dtype):
+    one, many = driven(model, dtype=dtype, threads=1), driven(model, dtype=dtype, threads=3)
+    assert many.threads == 3 and one.read("qpos").tobytes() == many.read("qpos").tobytes()
+    assert one.bad == 0 and (one.read("residual") < 1e-4).all()
+
+
+def test_a_rollout_is_steps(model):
+    controls = np.random.default_rng(2).uniform(-1, 1, (4, 6, 1))
+    one, other = epode.Batch(model, 4), epode.Batch(model, 4)
+    qpos, qvel = one.rollout(controls, steps=5)
+    for time in range(6):
+        other.write("ctrl", controls[:, time])
+        other.step(5)
+        assert (qpos[:, time] == other.read("qpos")).all() and (qvel[:, time] == other.read("qvel")).all()
+
+
+def test_copies_have_numbers_of_their_own(model):
+    batch = epode.Batch(model, 2, dtype="float64")
+    batch.set("gravity", [[0, 0, -9.81], [0, 0, -1.62]])
+    assert batch.get("gravity")[1, 2] == -1.62 and batch.get("mass").shape == (2, 3)
+    batch.step(50)
+    assert np.allclose(batch.read("qvel")[:, 2], [-9.81 * 0.1, -1.62 * 0.1])
+    with pytest.raises(ValueError):
+        batch.set("mass", [0, -1, 1])
+
+
+def test_what_is_wrong_is_refused_and_changes_nothing(model):
+    batch = epode.Batch(model, 2)
+    before = batch.read("qpos")
+    for name, values in (("qpos", np.zeros((3, 8))), ("qpos", np.full((2, 8), np.nan)), ("qpos", np.zeros((2, 8))),
+                         ("ctrl", [[np.inf], [0]]), ("bad", [[1], [0]]), ("speed", [[1], [0]])):
+        with pytest.raises(ValueError):
+            batch.write(name, values)
+    batch.bind("ctrl")[0] = np.nan
+    with pytest.raises(ValueError):
+        batch.step()
+    with pytest.raises(ValueError):
+        batch.step(-1)
+    with pytest.raises(ValueError):
+        batch.reset([True])
+    with pytest.raises(ValueError):
+        batch.rollout(np.zeros((2, 3, 2)))
+    with pytest.raises(TypeError):
+        pickle.dumps(batch)
+    assert (batch.read("qpos") == before).all()
+
+
+def test_models_that_a_batch_cannot_take_are_named(model):
+    fish = epode.robot.from_text('<mujoco><option density="9"/><worldbody><body name="fish"><freejoint/><geom size=".1"/></body></worldbody></mujoco>')
+    with pytest.raises(epode.RefusedError, match="fish"):
+        epode.Batch(fish, 1)
+    for wrong in ({"stepsize": 0}, {"stepsize": np.nan}, {"threads": -1}, {"max_sweeps": 0}):
+        with pytest.raises(epode.RefusedError):
+            epode.Batch(model, 1, **wrong)
+    with pytest.raises(epode.RefusedError):
+        epode.Batch(model, 0)
+
+
+def test_bad_copies_stay_alone(model):
+    batch, other = epode.Batch(model, 3), epode.Batch(model, 3)
+    speeds = np.zeros((3, 7))
+    speeds[1] = 9e14
+    batch.write("qvel", speeds)
+    batch.step(20)
+    other.step(20)
+    assert batch.bad == 1 and batch.read("bad")[1] == 1 and np.isfinite(batch.read("qpos")).all()
+    assert (batch.read("qpos")[0] == other.read("qpos")[0]).all()
+
+
+def test_a_copy_becomes_a_world(model):
+    batch = driven(model, dtype="float64")
+    world = batch.world(7)
+    assert np.allclose(np.asarray(world.bodies[0].position)[2], batch.read("qpos")[7, 2], atol=0.3)
+    world.step(0.004)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
+def test_a_fork_has_no_batch(model):
+    batch = epode.Batch(model, 1)
+    child = os.fork()
+    if child == 0:
+        try:
+            batch.step()
+        except RuntimeError:
+            os._exit(7)
+        os._exit(0)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 7

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What is refused changes nothing and names what is wanted; what goes bad stays alone.
+#include "models.h"
+
+#include <cstdarg>
+#include <limits>
+
+namespace epode::tests {
+namespace {
+
+std::string g_said;
+void note(int, const char* format, va_list arguments)
+{
+    char text[500];
+    std::vsnprintf(text, sizeof text, format, arguments);
+    g_said = text;
+}
+
+class BatchRefusals : public testing::Test {
+  protected:
+    BatchRefusals() { dSetMessageHandler(note); }
+    ~BatchRefusals() override { dSetMessageHandler(nullptr); }
+    void expect_refused(const char* text, const char* named)
+    {
+        const dRobotModelID model = model_of(text);
+        g_said.clear();
+        EXPECT_EQ(dBatchCreate(model, 1, nullptr), nullptr);
+        EXPECT_NE(g_said.find(named), std::string::npos) << g_said;
+        dRobotModelDestroy(model);
+    }
+};
+
+TEST_F(BatchRefusals, name_the_element_that_a_batch_does_not_have)
+{
+    expect_refused(
+        "<mujoco><option density='1000'/><worldbody><body name='fish'><freejoint/><geom "
+        "size='.1'/></body></worldbody></mujoco>",
+        "'fish'");
+    expect_refused(
+        "<mujoco><worldbody><body name='k'><freejoint/><geom type='box' size='.1 .1 .1'/></body><body "
+        "name='l'><freejoint/>"
+        "<geom name='lid' type='box' size='.1 .1 .1'/></body></worldbody></mujoco>",
+        "'lid'");
+    expect_refused(
+        "<mujoco><worldbody><body><joint name='j'/><geom size='.1'/></body></worldbody><actuator>"
+        "<general name='slow' joint='j' dyntype='filter' dynprm='.1'/></actuator></mujoco>",
+        "'slow'");
+    expect_refused(
+        "<mujoco><worldbody><body><joint name='j'/><geom size='.1'/></body><body><joint name='k'/><geom "
+        "size='.1'/></body></worldbody>"
+        "<equality><joint name='both' joint1='j' joint2='k'/></equality></mujoco>",
+        "'both'");
+    expect_refused("<mujoco><worldbody><geom size='.1'/></worldbody></mujoco>", "nothing");
+}
+
+TEST_F(BatchRefusals, leave_everything_as_it_was)
+{
+    const dRobotModelID model = model_of(kWalker);
+    EXPECT_EQ(dBatchCreate(model, 0, nullptr), nullptr);
+    EXPECT_EQ(dBatchCreate(nullptr, 1, nullptr), nullptr);
+    Copies<double> copies(model, 2, dReal(0.004));
+    const auto before = copies.read(dBatchPositions);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> q(before), c(10, 0);
+    q[16] = nan, c[9] = nan;
+    EXPECT_EQ(dBatchWrite(copies.id, dBatchPositions, 0, 2, q.data()), 0);
+    EXPECT_EQ(dBatchWrite(copies.id, dBatchControls, 0, 2, c.data()), 0);
+    EXPECT_EQ(dBatchWrite(copies.id, dBatchPositions, 1, 2, before.data()), 0);
+    EXPECT_EQ(dBatchWrite(copies.id, dBatchBad, 0, 2, before.data()), 0);
+    q = before, q[3] = q[4] = q[5] = q[6] = 0;
+    EXPECT_EQ(dBatchWrite(copies.id, dBatchPositions, 0, 2, q.data()), 0);
+    EXPECT_EQ(dBatchRead(copies.id, 99, 0, 1, q.data()), 0);
+    EXPECT_EQ(dBatchStep(copies.id, -1), 0);
+    EXPECT_EQ(dBatchBind(copies.id, dBatchControls, c.data()), 1);
+    c[3] = nan;
+    EXPECT_EQ(dBatchStep(copies.id, 1), 0);
+    EXPECT_EQ(copies.read(dBatchPositions), before);
+    dRobotModelDestroy(model);
+}
+
+TEST_F(BatchRefusals, copies_that_go_bad_are_flagged_and_stay_alone)
+{
+    const dRobotModelID model = model_of(kWalker);
+    Copies<float> copies(model, 9, dReal(0.004)), good(model, 9, dReal(0.004));
+    std::vector<float> wild(14, 0);
+    for (float& x : wild) x = 9e14f;
+    copies.write_one(dBatchVelocities, 4, wild);
+    dBatchStep(copies.id, 50), dBatchStep(good.id, 50);
+    EXPECT_EQ(dBatchCountBad(copies.id), 1);
+    EXPECT_EQ(copies.read(dBatchBad), (std::vector<float>{0, 0, 0, 0, 1, 0, 0, 0, 0}));
+    EXPECT_EQ(copies.read(dBatchPositions, 3, 1), good.read(dBatchPositions, 3, 1));
+    for (const float x : copies.read(dBatchPositions)) EXPECT_TRUE(std::isfinite(x));
+    const unsigned char mask[9] = {0, 0, 0, 0, 1, 0, 0, 0, 0};
+    EXPECT_EQ(dBatchReset(copies.id, mask), 1);
+    EXPECT_EQ(dBatchCountBad(copies.id), 0);
+    dBatchStep(copies.id, 50);
+    EXPECT_EQ(copies.read(dBatchPositions, 4, 1), good.read(dBatchPositions, 4, 1));
+    dRobotModelDestroy(model);
+}
+
+TEST_F(BatchRefusals, bound_arrays_live)
+{
+    const dRobotModelID model = model_of(kWalker);
+    Copies<float> copies(model, 3, dReal(0.004)), other(model, 3, dReal(0.004));
+    std::vector<float> q(3 * 15), c(3 * 5, 0.5f);
+    EXPECT_EQ(dBatchBind(copies.id, dBatchPositions, q.data()), 1);
+    EXPECT_EQ(q, other.read(dBatchPositions));
+    q[2] = 0.8f;
+    dBatchStep(copies.id, 3);
+    auto moved = other.read(dBatchPositions);
+    moved[2] = 0.8f;
+    other.write(dBatchPositions, moved);
+    dBatchStep(other.id, 3);
+    EXPECT_EQ(q, other.read(dBatchPositions));
+    EXPECT_EQ(dBatchBind(copies.id, dBatchPositions, nullptr), 1);
+    dRobotModelDestroy(model);
+}
+
+}  // namespace
+}  // namespace epode::tests
