@@ -125,9 +125,9 @@ bool has_diverged(const IslandWork& work, int part, Real h, const Tasks& tasks, 
 {
     const SystemPart from = work.system.begin_of(part), to = work.system.end_of(part);
     const PartMotion motion = motion_of(work, from.bodies, to.bodies, h, tasks, arena);
-    const double most = motion.forced + motion.mass * double(kCorrecting * kCorrecting);
+    const double bound = motion.forced + motion.mass * double(kCorrecting * kCorrecting);
     const double gain = motion.solved - motion.forced;
-    return gain > most && gain - supply_to(work.system, from, to) > most;
+    return gain > bound && gain - supply_to(work.system, from, to) > bound;
 }
 
 }  // namespace epode
