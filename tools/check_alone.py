@@ -4,8 +4,8 @@
 """Every source compiles alone: with its own includes, whatever its folder's other files and precompiled headers bring. Builds compile
 the files of a folder as one (EPODE_BY_FOLDER), so they do not notice an include that is missing.
 
-  check_alone.py                    the sources that have changed, and those that include a changed header, since the merge base with
-                                    origin's main; where that is the current commit, or unknown, in the last COMMITS commits
+  check_alone.py                    the sources that have changed, and one that includes it for each changed header, since the merge base
+                                    with origin's main; where that is the current commit, or unknown, in the last COMMITS commits
   check_alone.py --since COMMIT     since that commit
   check_alone.py --all              all of them
   check_alone.py --build FOLDER     of this configured build instead of build/release; generated files must have been made
@@ -89,12 +89,21 @@ def changed_since(root, commit):
     return {name for name in (names + "\n" + new).split("\n") if name}
 
 
-def is_concerned(source, root, changed):
-    """Whether it has changed, or a file that it includes. Headers are named from one of the folders of headers, or their own."""
-    name = str(source.relative_to(root))
-    here = os.path.dirname(name)
-    places = [f"{folder}{header}" for header in includes(source) for folder in ("", "src/", "include/", f"{here}/")]
-    return name in changed or any(os.path.normpath(place) in changed for place in places)
+def headers_of(source, root):
+    """What it may include of ours. Headers are named from one of the folders of headers, or their own."""
+    here = os.path.dirname(str(source.relative_to(root)))
+    return {os.path.normpath(f"{folder}{header}") for header in includes(source) for folder in ("", "src/", "include/", f"{here}/")}
+
+
+def concerned(known, root, changed):
+    """What has changed, and for each changed header the first source that includes it."""
+    kept, seen = {}, set()
+    for key in sorted(known):
+        new = (headers_of(key[0], root) & changed) - seen
+        if new or str(key[0].relative_to(root)) in changed:
+            kept[key] = known[key]
+            seen |= new
+    return kept
 
 
 def check(command):
@@ -118,7 +127,7 @@ def main():
     since = None if asked.all else asked.since or last_landed(root)
     if since:
         changed = changed_since(root, since)
-        known = {key: command for key, command in known.items() if is_concerned(key[0], root, changed)}
+        known = concerned(known, root, changed)
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as several:
         for (source, single), done in zip(known, several.map(check, known.values())):
