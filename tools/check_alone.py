@@ -8,6 +8,7 @@ the files of a folder as one (EPODE_BY_FOLDER), so they do not notice an include
                                     with origin's main; where that is the current commit, or unknown, in the last COMMITS commits
   check_alone.py --since COMMIT     since that commit
   check_alone.py --all              all of them
+  check_alone.py --at-most N        no more than N sources, those that changed last first; the rest is named as left to --all
   check_alone.py --build FOLDER     of this configured build instead of build/release; generated files must have been made
   check_alone.py --root FOLDER      judges that tree instead of this one (tests/docs/planted_alone.sh)
 
@@ -95,6 +96,13 @@ def headers_of(source, root):
     return {os.path.normpath(f"{folder}{header}") for header in includes(source) for folder in ("", "src/", "include/", f"{here}/")}
 
 
+def newest_first(known, root, since):
+    """Sources whose own last change is younger come first."""
+    names = (git(root, "log", "--name-only", "--format=", f"{since}..HEAD", "--") or "").split("\n")
+    age = {name: number for number, name in reversed(list(enumerate(names)))}
+    return dict(sorted(known.items(), key=lambda its: age.get(str(its[0][0].relative_to(root)), len(names))))
+
+
 def concerned(known, root, changed):
     """What has changed, and for each changed header the first source that includes it."""
     kept, seen = {}, set()
@@ -115,6 +123,7 @@ def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--all", action="store_true")
     options.add_argument("--since")
+    options.add_argument("--at-most", type=int, default=sys.maxsize)
     options.add_argument("--build", default="build/release")
     options.add_argument("--root", default=pathlib.Path(__file__).parent.parent, type=pathlib.Path)
     asked = options.parse_args()
@@ -127,7 +136,9 @@ def main():
     since = None if asked.all else asked.since or last_landed(root)
     if since:
         changed = changed_since(root, since)
-        known = concerned(known, root, changed)
+        known = newest_first(concerned(known, root, changed), root, since)
+    left = max(0, len(known) - asked.at_most)
+    known = dict(list(known.items())[:asked.at_most])
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as several:
         for (source, single), done in zip(known, several.map(check, known.values())):
@@ -135,7 +146,7 @@ def main():
                 failed += 1
                 print(f"{source.relative_to(root)} does not compile alone{' in single precision' if single else ''}:\n{done.stderr}")
     what = f"changed since {git(root, 'describe', '--always', since)}" if since else "all"
-    print(f"check_alone: {len(known)} sources ({what}), {failed} do not compile alone")
+    print(f"check_alone: {len(known)} sources ({what}), {failed} do not compile alone" + (f"; {left} more are left to --all" if left else ""))
     return failed > 0
 
 
