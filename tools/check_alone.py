@@ -8,7 +8,7 @@ the files of a folder as one (EPODE_BY_FOLDER), so they do not notice an include
                                     with origin's main; where that is the current commit, or unknown, in the last COMMITS commits
   check_alone.py --since COMMIT     since that commit
   check_alone.py --all              all of them
-  check_alone.py --at-most N        no more than N sources, those that changed last first; the rest is named as left to --all
+  check_alone.py --limit N          no more than N sources, those that changed last first; the rest is named as left to --all
   check_alone.py --build FOLDER     of this configured build instead of build/release; generated files must have been made
   check_alone.py --root FOLDER      judges that tree instead of this one (tests/docs/planted_alone.sh)
 
@@ -123,7 +123,7 @@ def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--all", action="store_true")
     options.add_argument("--since")
-    options.add_argument("--at-most", type=int, default=sys.maxsize)
+    options.add_argument("--limit", type=int, default=sys.maxsize)
     options.add_argument("--build", default="build/release")
     options.add_argument("--root", default=pathlib.Path(__file__).parent.parent, type=pathlib.Path)
     asked = options.parse_args()
@@ -137,8 +137,8 @@ def main():
     if since:
         changed = changed_since(root, since)
         known = newest_first(concerned(known, root, changed), root, since)
-    left = max(0, len(known) - asked.at_most)
-    known = dict(list(known.items())[:asked.at_most])
+    left = max(0, len(known) - asked.limit)
+    known = dict(list(known.items())[:asked.limit])
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as several:
         for (source, single), done in zip(known, several.map(check, known.values())):

@@ -11,7 +11,7 @@ RECIPES = PACKAGE.parent / "recipes"
 # Module: its part of the page. Names that epode/__init__.py lists are shown as epode.NAME.
 MODULES = {"world": "Worlds", "body": "Bodies", "geom": "Geoms", "shapes": "Shapes and materials", "joint": "Joints and drives",
            "recording": "Recordings", "viewer": "Windows: epode.viewer", "plot": "Plots: epode.plot",
-           "robot": "Robots: epode.robot", "enums": "Kinds", "errors": "Errors"}
+           "robot": "Robots: epode.robot", "batch": "Batches of robots", "enums": "Kinds", "errors": "Errors"}
 # A module's classes that have a file of their own.
 DATA = {"robot": "_robot_data"}
 

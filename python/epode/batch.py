@@ -67,10 +67,12 @@ class Batch:
 
     @property
     def copies(self) -> int:
+        """How many there are."""
         return self._batch.copies
 
     @property
     def threads(self) -> int:
+        """How many threads step, the caller's included."""
         return self._batch.threads
 
     @property

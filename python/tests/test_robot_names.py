@@ -42,6 +42,12 @@ NAMES = {
     "dRobotGetTouch": "robot.Robot.touch", "dRobotCastRays": "robot.Robot.rays", "dRobotCameraInit": "robot.Robot.picture",
     "dRobotTakePicture": "robot.Robot.picture", "dRobotModelGetSensors": "robot.Model.sensors",
     "dRobotReadSensor": "robot.Robot.sensor",
+    "dBatchOptionsInit": "epode.Batch", "dBatchCreate": "epode.Batch", "dBatchDestroy": "epode.Batch",
+    "dBatchGetNumCopies": "epode.Batch.copies", "dBatchGetNumberSize": "epode.Batch", "dBatchGetNumThreads": "epode.Batch.threads",
+    "dBatchGetSize": "epode.Batch.size", "dBatchRead": "epode.Batch.read", "dBatchWrite": "epode.Batch.write",
+    "dBatchGetParameterSize": "epode.Batch.get", "dBatchReadParameter": "epode.Batch.get", "dBatchWriteParameter": "epode.Batch.set",
+    "dBatchBind": "epode.Batch.bind", "dBatchStep": "epode.Batch.step", "dBatchReset": "epode.Batch.reset",
+    "dBatchCountBad": "epode.Batch.bad",
 }
 OF_INSTANCES = {"robot.Model.starts", "robot.Model.sensors"}  # set when a model is made
 
