@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// For C++, included by drawstuff.h: the names without D for doubles, each of which calls the one with D.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * For C++, included by drawstuff.h: the names without D for doubles, each of which calls the one with D. */
 #ifndef EPODE_DRAWSTUFF_DOUBLES_H
 #define EPODE_DRAWSTUFF_DOUBLES_H
 

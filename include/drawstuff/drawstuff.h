@@ -1,9 +1,9 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// drawstuff: a window, a camera and a dozen shapes, for programs that show what ODE computes.
-// Source-compatible with the library of that name, so programs written for it compile unchanged from C and
-// C++; drawn by OpenGL 3.3 with shadows and antialiasing.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * drawstuff: a window, a camera and a dozen shapes, for programs that show what ODE computes.
+ * Source-compatible with the library of that name, so programs written for it compile unchanged from C and
+ * C++; drawn by OpenGL 3.3 with shadows and antialiasing. */
 #ifndef EPODE_DRAWSTUFF_H
 #define EPODE_DRAWSTUFF_H
 

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// The version of drawstuff's interface.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * The version of drawstuff's interface. */
 #ifndef EPODE_DRAWSTUFF_VERSION_H
 #define EPODE_DRAWSTUFF_VERSION_H
 

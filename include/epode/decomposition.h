@@ -1,8 +1,8 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Convex decomposition of meshes into geoms that the program owns. Link with libepode_robots; docs/guide/shapes.md says when
-// hulls are better than triangles.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Convex decomposition of meshes into geoms that the program owns. Link with libepode_robots; docs/guide/shapes.md says when
+ * hulls are better than triangles. */
 #ifndef _EPODE_DECOMPOSITION_H_
 #define _EPODE_DECOMPOSITION_H_
 

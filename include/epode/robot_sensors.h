@@ -1,8 +1,8 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// What the sensors of a robot in a world read: joints, accelerations, forces in joints, touch, distances, pictures with
-// depth. docs/guide/sensors.md says more.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * What the sensors of a robot in a world read: joints, accelerations, forces in joints, touch, distances, pictures with
+ * depth. docs/guide/sensors.md says more. */
 #ifndef _EPODE_ROBOT_SENSORS_H_
 #define _EPODE_ROBOT_SENSORS_H_
 

@@ -1,8 +1,8 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Robots from URDF, MJCF and SDF files: models, worlds made of them, coordinates, drives. Link with libepode_robots and
-// the library in double or single precision that it was built on. docs/guide/robots.md says more.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Robots from URDF, MJCF and SDF files: models, worlds made of them, coordinates, drives. Link with libepode_robots and
+ * the library in double or single precision that it was built on. docs/guide/robots.md says more. */
 #ifndef _EPODE_ROBOTS_H_
 #define _EPODE_ROBOTS_H_
 

@@ -1,13 +1,13 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Collision: shapes ("geoms"), the tests between them, and the collision of spaces.
-//
-// A geom has a shape, a pose in the world (its own or a body's, with an optional offset from it), a
-// bounding box, two sets of bits that filter pairs, and optionally a space it lives in. Collision
-// finds contacts and nothing more; the program turns them into contact joints.
-// Units: metres, radians. The space argument of the create functions is the space to put the geom
-// into, or 0. Planes and spaces have no pose: functions that need one refuse them.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Collision: shapes ("geoms"), the tests between them, and the collision of spaces.
+ *
+ * A geom has a shape, a pose in the world (its own or a body's, with an optional offset from it), a
+ * bounding box, two sets of bits that filter pairs, and optionally a space it lives in. Collision
+ * finds contacts and nothing more; the program turns them into contact joints.
+ * Units: metres, radians. The space argument of the create functions is the space to put the geom
+ * into, or 0. Planes and spaces have no pose: functions that need one refuse them. */
 #ifndef _ODE_COLLISION_H_
 #define _ODE_COLLISION_H_
 

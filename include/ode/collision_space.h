@@ -1,10 +1,10 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Spaces: containers of geoms that find the pairs whose bounding boxes overlap. A space is itself a
-// geom without a place and can be a member of another space.
-// While a space is being collided it is locked: the callback must not add, remove, destroy or move
-// its members (such calls are refused); making joints, dCollide, enabling and reading are allowed.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Spaces: containers of geoms that find the pairs whose bounding boxes overlap. A space is itself a
+ * geom without a place and can be a member of another space.
+ * While a space is being collided it is locked: the callback must not add, remove, destroy or move
+ * its members (such calls are refused); making joints, dCollide, enabling and reading are allowed. */
 #ifndef _ODE_COLLISION_SPACE_H_
 #define _ODE_COLLISION_SPACE_H_
 

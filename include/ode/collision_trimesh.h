@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Triangle meshes. Included by collision.h; do not include it alone.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Triangle meshes. Included by collision.h; do not include it alone. */
 #ifndef _ODE_COLLISION_TRIMESH_H_
 #define _ODE_COLLISION_TRIMESH_H_
 

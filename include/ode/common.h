@@ -1,15 +1,15 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Types shared by the whole interface: the real number, vectors and matrices, object handles,
-// joint types and joint parameter numbers, joint feedback, and the scalar functions by precision.
-//
-// Conventions of every header: SI units (m, kg, s, N, N m, rad) if the program keeps to them; right-handed
-// frames; a vector argument is 3 reals with one real of padding; a matrix is stored by rows, each row padded
-// to 4 reals; a rotation maps body coordinates to world coordinates, p_world = x + R p_body; a
-// quaternion is (w, x, y, z). "int used as a flag": 0 is no, everything else yes.
-// Handles are opaque pointers; 0 is "none". Results of the form `const dReal *` point into the
-// object: read only, valid until the object is changed or destroyed.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Types shared by the whole interface: the real number, vectors and matrices, object handles,
+ * joint types and joint parameter numbers, joint feedback, and the scalar functions by precision.
+ *
+ * Conventions of every header: SI units (m, kg, s, N, N m, rad) if the program keeps to them; right-handed
+ * frames; a vector argument is 3 reals with one real of padding; a matrix is stored by rows, each row padded
+ * to 4 reals; a rotation maps body coordinates to world coordinates, p_world = x + R p_body; a
+ * quaternion is (w, x, y, z). "int used as a flag": 0 is no, everything else yes.
+ * Handles are opaque pointers; 0 is "none". Results of the form `const dReal *` point into the
+ * object: read only, valid until the object is changed or destroyed. */
 #ifndef _ODE_COMMON_H_
 #define _ODE_COMMON_H_
 
@@ -288,7 +288,7 @@ typedef enum {
     dJointTypeCoupling
 } dJointType;
 
-// clang-format off
+/* clang-format off */
 /** Joint parameter numbers: one block of names per joint axis, the blocks dParamGroup apart. The two
     macros only write the enumerators. */
 #define D_ALL_PARAM_NAMES(start) \
@@ -346,7 +346,7 @@ enum {
   D_ALL_PARAM_NAMES_X(0x200, 3)
   dParamGroup = 0x100 /**< distance of the blocks */
 };
-// clang-format on
+/* clang-format on */
 
 /** Modes of the angular motor. */
 enum {

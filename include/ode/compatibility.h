@@ -1,10 +1,10 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Names of earlier releases, for programs written from the 0.039 user guide: the rotation
-// conversions under their old names, the StepFast1 stepper and its automatic disabling. They all
-// work; what each does in today's terms stands beside it. (The capped-cylinder names are in
-// collision.h and mass.h.)
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Names of earlier releases, for programs written from the 0.039 user guide: the rotation
+ * conversions under their old names, the StepFast1 stepper and its automatic disabling. They all
+ * work; what each does in today's terms stands beside it. (The capped-cylinder names are in
+ * collision.h and mass.h.) */
 #ifndef _ODE_COMPATIBILITY_H_
 #define _ODE_COMPATIBILITY_H_
 

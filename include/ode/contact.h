@@ -1,9 +1,9 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// A contact point: where two shapes meet (dContactGeom, written by dCollide) and how the surfaces
-// behave there (dSurfaceParameters, written by the program); together a dContact, from which
-// dJointCreateContact makes a joint for one step.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * A contact point: where two shapes meet (dContactGeom, written by dCollide) and how the surfaces
+ * behave there (dSurfaceParameters, written by the program); together a dContact, from which
+ * dJointCreateContact makes a joint for one step. */
 #ifndef _ODE_CONTACT_H_
 #define _ODE_CONTACT_H_
 

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Contacts that a world finds and solves by itself. Included by ode/ext.h.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Contacts that a world finds and solves by itself. Included by ode/ext.h. */
 #ifndef _ODE_CONTACTS_H_
 #define _ODE_CONTACTS_H_
 

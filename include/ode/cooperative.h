@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Cooperative work: who helps, how much is to be done at most, and the means for it.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Cooperative work: who helps, how much is to be done at most, and the means for it. */
 #ifndef _ODE_COOPERATIVE_H_
 #define _ODE_COOPERATIVE_H_
 

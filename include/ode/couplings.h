@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Couplings: linear relations between the coordinates of several joints. Included by ode/ext.h.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Couplings: linear relations between the coordinates of several joints. Included by ode/ext.h. */
 #ifndef _ODE_COUPLINGS_H_
 #define _ODE_COUPLINGS_H_
 

@@ -1,8 +1,8 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Good values for all parameters of a world, in one call, and the version of its behaviour. Included by
-// ode/ext.h.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Good values for all parameters of a world, in one call, and the version of its behaviour. Included by
+ * ode/ext.h. */
 #ifndef _ODE_DEFAULTS_H_
 #define _ODE_DEFAULTS_H_
 

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Why a simulation goes wrong: causes with the objects to blame. Included by ode/ext.h.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Why a simulation goes wrong: causes with the objects to blame. Included by ode/ext.h. */
 #ifndef _ODE_DIAGNOSIS_H_
 #define _ODE_DIAGNOSIS_H_
 

@@ -1,8 +1,8 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Joint coordinates of any type through one pair of functions, and drives on them: springs, dampers, servos,
-// rotors and dry friction, implicit in the step. Included by ode/ext.h.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Joint coordinates of any type through one pair of functions, and drives on them: springs, dampers, servos,
+ * rotors and dry friction, implicit in the step. Included by ode/ext.h. */
 #ifndef _ODE_DRIVES_H_
 #define _ODE_DRIVES_H_
 

@@ -1,15 +1,15 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// How the library speaks: three channels (error, debug, message), each with a handler that the
-// program may install.
-//
-// What the library itself does with them: an argument that makes no sense (null or wrong object,
-// NaN, zero axis, negative size ...) makes that one call *refused*. A refused call changes nothing,
-// returns 0 / NULL where it returns something, and reports through the debug handler with number
-// d_ERR_UASSERT and a text of the form "what is wrong in function()". If no handler is installed
-// the text goes to stderr once per place in the code. The program always goes on. The
-// original library calls abort() there; that is the one deliberate difference in this interface.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * How the library speaks: three channels (error, debug, message), each with a handler that the
+ * program may install.
+ *
+ * What the library itself does with them: an argument that makes no sense (null or wrong object,
+ * NaN, zero axis, negative size ...) makes that one call *refused*. A refused call changes nothing,
+ * returns 0 / NULL where it returns something, and reports through the debug handler with number
+ * d_ERR_UASSERT and a text of the form "what is wrong in function()". If no handler is installed
+ * the text goes to stderr once per place in the code. The program always goes on. The
+ * original library calls abort() there; that is the one deliberate difference in this interface. */
 #ifndef _ODE_ERROR_H_
 #define _ODE_ERROR_H_
 

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// What happened in a step: contacts with their impact, sensors, joints that broke. Included by ode/ext.h.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * What happened in a step: contacts with their impact, sensors, joints that broke. Included by ode/ext.h. */
 #ifndef _ODE_EVENTS_H_
 #define _ODE_EVENTS_H_
 

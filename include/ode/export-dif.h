@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Writing a world down as text, for looking at it or for reading it elsewhere.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Writing a world down as text, for looking at it or for reading it elsewhere. */
 #ifndef _ODE_EXPORT_DIF_
 #define _ODE_EXPORT_DIF_
 

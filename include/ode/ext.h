@@ -1,10 +1,10 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// What this library adds to ODE's interface, a header for each chapter. ode/ode.h does not include it: a
-// program that includes this file depends on this library and no longer runs on the original one. One more
-// name that only libode_single has, dSinglePrecisionProgram_LinkWith_ode_single, is in ode/odeconfig.h: it
-// keeps programs for float and libraries for double apart.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * What this library adds to ODE's interface, a header for each chapter. ode/ode.h does not include it: a
+ * program that includes this file depends on this library and no longer runs on the original one. One more
+ * name that only libode_single has, dSinglePrecisionProgram_LinkWith_ode_single, is in ode/odeconfig.h: it
+ * keeps programs for float and libraries for double apart. */
 #ifndef _ODE_EXT_H_
 #define _ODE_EXT_H_
 

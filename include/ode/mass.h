@@ -1,12 +1,12 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Mass, centre of mass and inertia of a rigid body, and the arithmetic on them.
-// The inertia tensor I is taken about the body's origin (not about the centre of mass c), in body axes.
-// For a body, c must be at the origin: translate by -c before dBodySetMass.
-// Units: density kg/m^3, lengths m, mass kg, inertia kg m^2.
-// Setters check their result and report a mass that no real body can have through
-// the message handler; dMassCheck asks without changing anything.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Mass, centre of mass and inertia of a rigid body, and the arithmetic on them.
+ * The inertia tensor I is taken about the body's origin (not about the centre of mass c), in body axes.
+ * For a body, c must be at the origin: translate by -c before dBodySetMass.
+ * Units: density kg/m^3, lengths m, mass kg, inertia kg m^2.
+ * Setters check their result and report a mass that no real body can have through
+ * the message handler; dMassCheck asks without changing anything. */
 #ifndef _ODE_MASS_H_
 #define _ODE_MASS_H_
 

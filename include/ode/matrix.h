@@ -1,11 +1,11 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Dense linear algebra on matrices of any size. An n x m matrix is stored by rows, each row dPAD(m)
-// reals long; `nskip` arguments give that row length explicitly. Padding is ignored on input.
-// Null pointers, n <= 0 and nskip < n are refused.
-// Factorisations: Cholesky A = L L^T, and A = L D L^T with unit lower triangular L, where the vector
-// d holds the RECIPROCALS of the diagonal of D.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Dense linear algebra on matrices of any size. An n x m matrix is stored by rows, each row dPAD(m)
+ * reals long; `nskip` arguments give that row length explicitly. Padding is ignored on input.
+ * Null pointers, n <= 0 and nskip < n are refused.
+ * Factorisations: Cholesky A = L L^T, and A = L D L^T with unit lower triangular L, where the vector
+ * d holds the RECIPROCALS of the diagonal of D. */
 #ifndef _ODE_MATRIX_H_
 #define _ODE_MATRIX_H_
 

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Functions of ode/matrix.h whose work several threads share (ode/cooperative.h).
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Functions of ode/matrix.h whose work several threads share (ode/cooperative.h). */
 #ifndef _ODE_MATRIX_COOP_H_
 #define _ODE_MATRIX_COOP_H_
 

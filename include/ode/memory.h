@@ -1,10 +1,10 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Memory of the library. Objects (worlds, bodies, joints, geoms, spaces) come from dAlloc and go
-// to dFree with the size they were asked with, so a program can place or count them.
-// Set handlers before the first object exists: memory must be freed by the partner of what gave it.
-// Handlers may be called from inside any function; what they call themselves must leave objects alone.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Memory of the library. Objects (worlds, bodies, joints, geoms, spaces) come from dAlloc and go
+ * to dFree with the size they were asked with, so a program can place or count them.
+ * Set handlers before the first object exists: memory must be freed by the partner of what gave it.
+ * Handlers may be called from inside any function; what they call themselves must leave objects alone. */
 #ifndef _ODE_MEMORY_H_
 #define _ODE_MEMORY_H_
 

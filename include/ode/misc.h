@@ -1,10 +1,10 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Random numbers and helpers for looking at and comparing matrices.
-// The generator is s = 1664525 s + 1013904223 mod 2^32 (the constants of Numerical Recipes), one
-// state for the process, starting at 0: fine for repeatable test scenes, not for statistics. Matrices are
-// padded as in matrix.h.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Random numbers and helpers for looking at and comparing matrices.
+ * The generator is s = 1664525 s + 1013904223 mod 2^32 (the constants of Numerical Recipes), one
+ * state for the process, starting at 0: fine for repeatable test scenes, not for statistics. Matrices are
+ * padded as in matrix.h. */
 #ifndef _ODE_MISC_H_
 #define _ODE_MISC_H_
 

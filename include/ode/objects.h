@@ -1,19 +1,19 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Dynamics: worlds, rigid bodies, joints of all types, and the functions that move them in time. What belongs
-// to one type of joint is in objects_joints.h, which this file includes: programs written for ODE know one.
-// Both are long, because ODE's programs include them by name and every entry documents itself.
-//
-// A step of size h solves for the joint forces lambda (N, N m) of each island of connected bodies
-//     (J M^-1 J^T + CFM/h) lambda = rhs,   lo <= lambda <= hi,   J v+ = ERP/h * error - CFM lambda,
-// then moves velocities and positions on by h (velocities first: semi-implicit Euler). ERP is the
-// part of a joint's position error that is corrected per step, CFM its softness. A spring of stiffness
-// kp with damping kd is ERP = h kp / (h kp + kd), CFM = 1 / (h kp + kd).
-//
-// Unless said otherwise: positions, vectors and forces are in the world frame and in SI units,
-// angles in radians; NaN and infinities are refused where a finite number is meant; a call on a null
-// or wrong object is refused (error.h); getters that fill a vector write 3 components.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Dynamics: worlds, rigid bodies, joints of all types, and the functions that move them in time. What belongs
+ * to one type of joint is in objects_joints.h, which this file includes: programs written for ODE know one.
+ * Both are long, because ODE's programs include them by name and every entry documents itself.
+ *
+ * A step of size h solves for the joint forces lambda (N, N m) of each island of connected bodies
+ *     (J M^-1 J^T + CFM/h) lambda = rhs,   lo <= lambda <= hi,   J v+ = ERP/h * error - CFM lambda,
+ * then moves velocities and positions on by h (velocities first: semi-implicit Euler). ERP is the
+ * part of a joint's position error that is corrected per step, CFM its softness. A spring of stiffness
+ * kp with damping kd is ERP = h kp / (h kp + kd), CFM = 1 / (h kp + kd).
+ *
+ * Unless said otherwise: positions, vectors and forces are in the world frame and in SI units,
+ * angles in radians; NaN and infinities are refused where a finite number is meant; a call on a null
+ * or wrong object is refused (error.h); getters that fill a vector write 3 components. */
 #ifndef _ODE_OBJECTS_H_
 #define _ODE_OBJECTS_H_
 

@@ -1,12 +1,12 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// The joint types one by one: anchors, axes, readings, parameters, forces. Included by objects.h, which has
-// what all joints share (creation, attachment, feedback); programs include that one or ode.h.
-//
-// Body 1 and body 2 are those of dJointAttach, in its order. Each chapter names the rows that the joint
-// always has and the axes that may carry a limit and a motor. Conventions of objects.h hold: world frame, SI
-// units, radians.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * The joint types one by one: anchors, axes, readings, parameters, forces. Included by objects.h, which has
+ * what all joints share (creation, attachment, feedback); programs include that one or ode.h.
+ *
+ * Body 1 and body 2 are those of dJointAttach, in its order. Each chapter names the rows that the joint
+ * always has and the axes that may carry a limit and a motor. Conventions of objects.h hold: world frame, SI
+ * units, radians. */
 #ifndef _ODE_OBJECTS_JOINTS_H_
 #define _ODE_OBJECTS_JOINTS_H_
 

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// The whole interface. A program usually includes this file only.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * The whole interface. A program usually includes this file only. */
 #ifndef _ODE_ODE_H_
 #define _ODE_ODE_H_
 

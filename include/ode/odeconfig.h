@@ -1,10 +1,10 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// What every other header needs first: the system headers that ODE programs rely on getting, the
-// linkage macros, integers of known width, infinity and not-a-number.
-// The integer types keep ODE's exact underlying types (`long`, not `long long`, on 64-bit Linux),
-// because C++ name mangling and printf formats of client programs depend on them.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * What every other header needs first: the system headers that ODE programs rely on getting, the
+ * linkage macros, integers of known width, infinity and not-a-number.
+ * The integer types keep ODE's exact underlying types (`long`, not `long long`, on 64-bit Linux),
+ * because C++ name mangling and printf formats of client programs depend on them. */
 #ifndef _ODE_ODECONFIG_H_
 #define _ODE_ODECONFIG_H_
 

@@ -1,16 +1,16 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// The C++ classes of worlds, bodies and joints. They come with ode.h in C++; those of geoms and spaces are in
-// odecpp_collision.h. The classes themselves are templates (odecpp_dynamics.h, odecpp_joints.h) over the
-// class that holds an object's number; here they get their names.
-//
-// A program that wants another holder, for example to count references, defines all four of
-//   dODECPP_WORLD_TEMPLATE_BASE, dODECPP_BODY_TEMPLATE_BASE,
-//   dODECPP_JOINTGROUP_TEMPLATE_BASE, dODECPP_JOINT_TEMPLATE_BASE
-// before it includes this file. A holder has a protected member _id that starts as 0, a protected function
-// destroy(), and destroys its object with itself. d...SimpleIDContainer are such classes without a virtual
-// destructor, so without the cost of one pointer per body.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * The C++ classes of worlds, bodies and joints. They come with ode.h in C++; those of geoms and spaces are in
+ * odecpp_collision.h. The classes themselves are templates (odecpp_dynamics.h, odecpp_joints.h) over the
+ * class that holds an object's number; here they get their names.
+ *
+ * A program that wants another holder, for example to count references, defines all four of
+ *   dODECPP_WORLD_TEMPLATE_BASE, dODECPP_BODY_TEMPLATE_BASE,
+ *   dODECPP_JOINTGROUP_TEMPLATE_BASE, dODECPP_JOINT_TEMPLATE_BASE
+ * before it includes this file. A holder has a protected member _id that starts as 0, a protected function
+ * destroy(), and destroys its object with itself. d...SimpleIDContainer are such classes without a virtual
+ * destructor, so without the cost of one pointer per body. */
 #ifndef _ODE_ODECPP_H_
 #define _ODE_ODECPP_H_
 

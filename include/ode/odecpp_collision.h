@@ -1,13 +1,13 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// The C++ classes of geoms and spaces. They come with ode.h in C++.
-//
-// A wrapper owns one geom or space of the library and destroys it when it goes out of scope. Wrappers cannot
-// be copied. Each member calls the C function of its name, which tells units, frames, defaults and refusals.
-// A wrapper is nothing but the number of its geom: no virtual functions, the size of a pointer. (A space in
-// cleanup mode, which is the default, destroys the geoms in it: let the wrappers of the geoms go first, or
-// call setCleanup(0).)
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * The C++ classes of geoms and spaces. They come with ode.h in C++.
+ *
+ * A wrapper owns one geom or space of the library and destroys it when it goes out of scope. Wrappers cannot
+ * be copied. Each member calls the C function of its name, which tells units, frames, defaults and refusals.
+ * A wrapper is nothing but the number of its geom: no virtual functions, the size of a pointer. (A space in
+ * cleanup mode, which is the default, destroys the geoms in it: let the wrappers of the geoms go first, or
+ * call setCleanup(0).) */
 #ifndef _ODE_ODECPP_COLLISION_H_
 #define _ODE_ODECPP_COLLISION_H_
 

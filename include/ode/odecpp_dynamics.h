@@ -1,14 +1,14 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// C++ wrappers of worlds, bodies and joint groups. Included by odecpp.h, which names the classes programs use
-// (dWorld, dBody, dJointGroup); the joints are in odecpp_joints.h.
-//
-// A wrapper owns one object of the library: it makes it, hands its number out wherever the C functions want
-// one, and destroys it when it goes out of scope. Wrappers cannot be copied. Each member calls the C function
-// of its name, which tells units, frames, defaults and refusals. There is no library code behind them, and
-// they compile from C++98 on.
-// The class that holds the number is a parameter: a program can bring its own (see odecpp.h).
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * C++ wrappers of worlds, bodies and joint groups. Included by odecpp.h, which names the classes programs use
+ * (dWorld, dBody, dJointGroup); the joints are in odecpp_joints.h.
+ *
+ * A wrapper owns one object of the library: it makes it, hands its number out wherever the C functions want
+ * one, and destroys it when it goes out of scope. Wrappers cannot be copied. Each member calls the C function
+ * of its name, which tells units, frames, defaults and refusals. There is no library code behind them, and
+ * they compile from C++98 on.
+ * The class that holds the number is a parameter: a program can bring its own (see odecpp.h). */
 #ifndef _ODE_ODECPP_DYNAMICS_H_
 #define _ODE_ODECPP_DYNAMICS_H_
 

@@ -1,14 +1,14 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// The C++ classes with what this library adds to ODE's interface. A program includes this file, which
-// includes ode/ode.h and ode/ext.h; the classes of ode/odecpp.h are as they were.
-//
-// d<Name>Ext is the class or structure d<Name> with its additions: dWorldExt, dBodyExt, dMassExt; dGeomExt,
-// dSpaceExt and dJointExt take the class that they extend, dGeomExt<dSphere>, dSpaceExt<dHashSpace> or
-// dJointExt<dHingeJoint>. Structures that begin with struct_size have it, and their defaults, from the
-// beginning. As in ode/odecpp.h each member calls the C function of its name, which tells units, defaults and
-// refusals, wrappers own their object, and there is no library code behind them. They compile from C++98 on.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * The C++ classes with what this library adds to ODE's interface. A program includes this file, which
+ * includes ode/ode.h and ode/ext.h; the classes of ode/odecpp.h are as they were.
+ *
+ * d<Name>Ext is the class or structure d<Name> with its additions: dWorldExt, dBodyExt, dMassExt; dGeomExt,
+ * dSpaceExt and dJointExt take the class that they extend, dGeomExt<dSphere>, dSpaceExt<dHashSpace> or
+ * dJointExt<dHingeJoint>. Structures that begin with struct_size have it, and their defaults, from the
+ * beginning. As in ode/odecpp.h each member calls the C function of its name, which tells units, defaults and
+ * refusals, wrappers own their object, and there is no library code behind them. They compile from C++98 on. */
 #ifndef _ODE_ODECPP_EXT_H_
 #define _ODE_ODECPP_EXT_H_
 

@@ -1,12 +1,12 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// C++ wrappers of the joints. Included by odecpp.h, which names the classes programs use (dBallJoint,
-// dHingeJoint, ...). Conventions as in odecpp_dynamics.h: each member calls the C function of its name.
-//
-// What all types have in common is in dJointTemplate, what makes a joint of one type in dMadeJointTemplate;
-// so a class below holds only what its type adds. (A joint in a group dies with the group: dJointDestroy
-// leaves it alone. Let the wrapper go first.)
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * C++ wrappers of the joints. Included by odecpp.h, which names the classes programs use (dBallJoint,
+ * dHingeJoint, ...). Conventions as in odecpp_dynamics.h: each member calls the C function of its name.
+ *
+ * What all types have in common is in dJointTemplate, what makes a joint of one type in dMadeJointTemplate;
+ * so a class below holds only what its type adds. (A joint in a group dies with the group: dJointDestroy
+ * leaves it alone. Let the wrapper go first.) */
 #ifndef _ODE_ODECPP_JOINTS_H_
 #define _ODE_ODECPP_JOINTS_H_
 

@@ -1,8 +1,8 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// The C++ classes of shapes beyond ODE's (ode/shapes.h), as those of odecpp_collision.h. A program that
-// includes this file depends on this library.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * The C++ classes of shapes beyond ODE's (ode/shapes.h), as those of odecpp_collision.h. A program that
+ * includes this file depends on this library. */
 #ifndef _ODE_ODECPP_SHAPES_H_
 #define _ODE_ODECPP_SHAPES_H_
 

@@ -1,9 +1,9 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Opening and closing the library. Calls are counted: each successful dInitODE2 / dInitODE wants
-// one dCloseODE, and the last one clears the process-wide state (user geom classes, collider overrides).
-// Worlds, bodies, spaces and geoms can be made before opening; dCollide asks for it first.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Opening and closing the library. Calls are counted: each successful dInitODE2 / dInitODE wants
+ * one dCloseODE, and the last one clears the process-wide state (user geom classes, collider overrides).
+ * Worlds, bodies, spaces and geoms can be made before opening; dCollide asks for it first. */
 #ifndef _ODE_ODEINIT_H_
 #define _ODE_ODEINIT_H_
 

@@ -1,12 +1,12 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Small vector and matrix arithmetic, compiled into the program that uses it. Vectors are 3 reals (4 where
-// said), matrices 3 rows of 4 reals whose padding is neither read nor written.
-// A result may be the same array as an operand unless said otherwise.
-// Suffixes: _331 is (3x3)(3x1), _133 is (1x3)(3x3), _333 is (3x3)(3x3); Multiply0 takes both
-// factors as they are, Multiply1 the first one transposed, Multiply2 the second one transposed.
-// _14, _41, ... are element strides of the operands: 1 reads a row, 4 reads a column.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Small vector and matrix arithmetic, compiled into the program that uses it. Vectors are 3 reals (4 where
+ * said), matrices 3 rows of 4 reals whose padding is neither read nor written.
+ * A result may be the same array as an operand unless said otherwise.
+ * Suffixes: _331 is (3x3)(3x1), _133 is (1x3)(3x3), _333 is (3x3)(3x3); Multiply0 takes both
+ * factors as they are, Multiply1 the first one transposed, Multiply2 the second one transposed.
+ * _14, _41, ... are element strides of the operands: 1 reads a row, 4 reads a column. */
 #ifndef _ODE_ODEMATH_H_
 #define _ODE_ODEMATH_H_
 

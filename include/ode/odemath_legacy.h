@@ -1,13 +1,13 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Vector arithmetic under its old, upper-case names. The first group are statements on 3-vectors
-// with the operator as an argument, as in dOP(a, +, b, c) for a = b + c; the others are the functions of
-// odemath.h. Included by odemath.h; do not include it alone.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Vector arithmetic under its old, upper-case names. The first group are statements on 3-vectors
+ * with the operator as an argument, as in dOP(a, +, b, c) for a = b + c; the others are the functions of
+ * odemath.h. Included by odemath.h; do not include it alone. */
 #ifndef _ODE_ODEMATH_LEGACY_H_
 #define _ODE_ODEMATH_LEGACY_H_
 
-// clang-format off
+/* clang-format off */
 /** a = b op c, elementwise */
 #define dOP(a, op, b, c) \
   do { \
@@ -89,7 +89,7 @@
     (A)[2 * (skip) + 1] = plus(a)[0]; \
   } while (0)
 
-// clang-format on
+/* clang-format on */
 
 #define dMULTIPLY0_331(A, B, C) dMultiply0_331(A, B, C)
 #define dMULTIPLY1_331(A, B, C) dMultiply1_331(A, B, C)

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Rays, overlaps, distances and shape casts without a callback. Included by ode/ext.h.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Rays, overlaps, distances and shape casts without a callback. Included by ode/ext.h. */
 #ifndef _ODE_QUERIES_H_
 #define _ODE_QUERIES_H_
 

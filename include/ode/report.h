@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// What a step did: sums over the world, and island by island. Included by ode/ext.h.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * What a step did: sums over the world, and island by island. Included by ode/ext.h. */
 #ifndef _ODE_REPORT_H_
 #define _ODE_REPORT_H_
 

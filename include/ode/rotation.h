@@ -1,10 +1,10 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Rotations as matrices and as quaternions.
-// A rotation matrix R has 3 rows of 4 reals and maps body to world coordinates; a quaternion is
-// (w, x, y, z) with w = cos(angle/2). Angles in radians, right-handed: a turn by a positive angle
-// about z takes x towards y. Functions write the padding of R as 0.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Rotations as matrices and as quaternions.
+ * A rotation matrix R has 3 rows of 4 reals and maps body to world coordinates; a quaternion is
+ * (w, x, y, z) with w = cos(angle/2). Angles in radians, right-handed: a turn by a positive angle
+ * about z takes x towards y. Functions write the padding of R as 0. */
 #ifndef _ODE_ROTATION_H_
 #define _ODE_ROTATION_H_
 

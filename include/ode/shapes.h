@@ -1,8 +1,8 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Additions to shapes: continuous collision, convex hulls, solid meshes, holes in height fields. Included by
-// ode/ext.h; docs/guide/shapes.md says more of each.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Additions to shapes: continuous collision, convex hulls, solid meshes, holes in height fields. Included by
+ * ode/ext.h; docs/guide/shapes.md says more of each. */
 #ifndef _ODE_SHAPES_H_
 #define _ODE_SHAPES_H_
 

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// The state of worlds as bytes, and of many bodies and joints as arrays. Included by ode/ext.h.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * The state of worlds as bytes, and of many bodies and joints as arrays. Included by ode/ext.h. */
 #ifndef _ODE_STATE_H_
 #define _ODE_STATE_H_
 

@@ -1,8 +1,8 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Options of the steppers: threads, warm starting, friction, rotation, substeps, projection. Included by
-// ode/ext.h; docs/guide/options.md tells when to use them.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Options of the steppers: threads, warm starting, friction, rotation, substeps, projection. Included by
+ * ode/ext.h; docs/guide/options.md tells when to use them. */
 #ifndef _ODE_STEP_OPTIONS_H_
 #define _ODE_STEP_OPTIONS_H_
 

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Hybrid steps, which solve each island in its own way, and many worlds in one call. Included by ode/ext.h.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Hybrid steps, which solve each island in its own way, and many worlds in one call. Included by ode/ext.h. */
 #ifndef _ODE_STEPPERS_H_
 #define _ODE_STEPPERS_H_
 

@@ -1,8 +1,8 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// The contract between a world and a threading implementation: a table of functions that hold mutexes, take
-// calls with dependencies, and wait for them.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * The contract between a world and a threading implementation: a table of functions that hold mutexes, take
+ * calls with dependencies, and wait for them. */
 #ifndef _ODE_THREADING_H_
 #define _ODE_THREADING_H_
 

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// The threading implementations that come with the library, and pools of threads to serve one of them.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * The threading implementations that come with the library, and pools of threads to serve one of them. */
 #ifndef _ODE_THREADING_IMPL_H_
 #define _ODE_THREADING_IMPL_H_
 

@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Wall-clock timing: stopwatches that add up, and one process-wide list of timed events.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Wall-clock timing: stopwatches that add up, and one process-wide list of timed events. */
 #ifndef _ODE_TIMER_H_
 #define _ODE_TIMER_H_
 

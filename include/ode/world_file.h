@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Copies of whole worlds: clones and files. Included by ode/ext.h.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Copies of whole worlds: clones and files. Included by ode/ext.h. */
 #ifndef _ODE_WORLD_FILE_H_
 #define _ODE_WORLD_FILE_H_
 
