@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "robots/meshes/meshes.h"
+#include "robots/numbers.h"
 #include "robots/parts/hull.h"
 #include "robots/read/mjcf.h"
 
@@ -231,7 +232,8 @@ void Mjcf::read_joint(const Attributes& a, const Scope& scope)
     joint.kind = kind_of(type);
     Vec axis{0, 0, 1}, anchor;
     vec(a, "axis", axis), vec(a, "pos", anchor);
-    if (!(length(axis) > 1e-12)) return reading_.error(a.element(), "a joint whose axis has no length");
+    if (!(length(axis) > 1e-12 && length(axis) <= kMaxNumber))
+        return reading_.error(a.element(), "a joint whose axis has no usable length");
     joint.axis = rotate(scope.pose.q, (1 / length(axis)) * axis), joint.anchor = scope.pose * anchor;
     if (!read_range(a, joint)) return;
     read_passive(a, joint);

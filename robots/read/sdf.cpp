@@ -4,6 +4,7 @@
 // The reader of SDF, on libsdformat, which knows the format's versions and what its frames are relative to. Joints of SDF
 // are a graph: the first one of a child is its place in the tree, and a later one closes a loop (of a hinge, by
 // two points on its axis). A gearbox couples the two hinges on its reference body,  theta_2 = - ratio theta_1.
+#include "robots/numbers.h"
 #include "robots/read/reading.h"
 
 #ifdef EPODE_HAVE_SDF
@@ -367,8 +368,9 @@ void Sdf::add_axis(const Edge& edge, unsigned index, JointKind kind, bool is_lim
         ignition::math::Vector3d xyz;
         if (!is_good(axis->ResolveXyz(xyz, edge.joint->ChildLinkName()), joint.line)) return;
         joint.axis = vec_of(xyz);
-        if (!(length(joint.axis) > 1e-9) || !is_finite(joint.axis))
-            return note(Note::kError, joint.line, "joint '" + joint.name + "' has an axis of no length");
+        if (!(length(joint.axis) > 1e-9 && length(joint.axis) <= kMaxNumber))
+            return note(Note::kError, joint.line,
+                        "joint '" + joint.name + "' has an axis of no usable length");
         joint.axis = (1 / length(joint.axis)) * joint.axis;
         read_axis(*axis, joint);
     }

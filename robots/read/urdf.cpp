@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "robots/numbers.h"
 #include "robots/read/reading.h"
 
 namespace epode::robots {
@@ -298,7 +299,8 @@ void Urdf::read_joint(const Edge& edge, int link)
     const std::string& kind = edge.kind;
     if (kind == "fixed") return;
     if (kind == "floating") return add_joint(JointKind::kFree, edge.name, axis, link, element);
-    if (!(size > 1e-9)) return reading_.error(element, "joint '" + edge.name + "' has an axis of no length");
+    if (!(size > 1e-9 && size <= kMaxNumber))
+        return reading_.error(element, "joint '" + edge.name + "' has an axis of no usable length");
     kind == "planar" ? add_planar(edge, (1 / size) * axis, link) : add_axis(edge, (1 / size) * axis, link);
 }
 

@@ -463,8 +463,8 @@ void MjcfWriter::write_actuators()
         if (actuator.joint >= 0) set(its, "joint", joints_[size_t(actuator.joint)]);
         if (actuator.joint < 0) set(its, "tendon", tendons_[size_t(actuator.tendon)]);
         set(its, "gear", actuator.gear);
-        const bool clamps_control = std::isfinite(actuator.low),
-                   clamps_force = std::isfinite(actuator.force_low);
+        const bool clamps_control = std::isfinite(actuator.low) || std::isfinite(actuator.high),
+                   clamps_force = std::isfinite(actuator.force_low) || std::isfinite(actuator.force_high);
         set(its, "ctrllimited", yes(clamps_control)), set(its, "forcelimited", yes(clamps_force));
         if (clamps_control) set(its, "ctrlrange", range_of(actuator.low, actuator.high));
         if (clamps_force) set(its, "forcerange", range_of(actuator.force_low, actuator.force_high));
