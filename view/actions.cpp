@@ -56,6 +56,14 @@ const ActionRow* action_of(const std::string& key)
     return nullptr;
 }
 
+std::string key_names()
+{
+    std::string names;
+    for (const ActionRow& row : actions())
+        for (const std::string& name : row.keys) names += " " + name;
+    return names;
+}
+
 const ActionRow& row_of(Action action)
 {
     return *std::find_if(actions().begin(), actions().end(),

@@ -55,6 +55,8 @@ struct ActionRow {
 const std::vector<ActionRow>& actions();
 // Null: no action has that key.
 const ActionRow* action_of(const std::string& key);
+// All keys that have one, each after a blank.
+std::string key_names();
 const ActionRow& row_of(Action action);
 // As one would write it on the key: "Space", "Ctrl+P".
 std::string shown(const std::string& key);

@@ -30,7 +30,8 @@ std::unique_ptr<Session> open_scene(const scenes::Recipe& recipe, const ViewOpti
                                     std::string& problem)
 {
     LiveOptions live;
-    live.stepper = recipe.stepper;
+    const scenes::Setting setting = scenes::recommended(recipe);  // what `epode run` does
+    live.stepper = setting.stepper, live.world_contacts = options.stepper.empty() && setting.world_contacts;
     if (!options.stepper.empty() && !scenes::stepper_named(options.stepper, live.stepper)) {
         problem = scenes::no_such_stepper(options.stepper);
         return nullptr;
@@ -363,7 +364,11 @@ std::string App::summary() const
                   " state %zu time %.6g %s speed %g picked %d contacts %zu panels %d help %d",
                   session_->now(), state.step.time, session_->paused ? "paused" : "running", session_->speed,
                   int(picked_), state.step.contacts.size(), int(panels_), int(help_));
-    return text + figures;
+    text += figures;
+    if (const Live* live = session_->live())
+        text += std::string(" stepper ") + scenes::name_of(live->options.stepper) +
+                (live->options.world_contacts ? " world contacts" : " contact joints");
+    return text;
 }
 
 }  // namespace epode::view

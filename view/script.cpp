@@ -43,6 +43,10 @@ bool Script::add(const std::string& text, std::string& problem)
     else
         good = verb == "print";
     std::string rest;
+    if (!good && verb == "key" && !line.word.empty()) {
+        problem = "there is no key '" + line.word + "'. Keys:" + key_names();
+        return false;
+    }
     if (!good || in >> rest) {
         problem = "'" + text + "' is no line of a script";
         return false;

@@ -77,7 +77,7 @@ frames 60
 up left
 print
 END
-view ragdolls --script mouse || fail "exit code $?"
+view ragdolls --stepper quick --script mouse || fail "exit code $?"
 line 1 | grep -q ' picked 34 ' || fail "the head of the fourth figure is under that pixel"
 line 2 | grep -q ' picked -1 ' || fail "nothing is picked any more"
 line 3 | grep -q ' picked 34 ' || fail "a drag with Ctrl picks"
@@ -88,6 +88,18 @@ printf 'frames 6\nkey space\nprint\nkey e\nkey space\nframes 60\nprint\nkey home
 view wall --script keys || fail "exit code $?"
 contacts() { line "$1" | sed 's/.* contacts \([0-9]*\) .*/\1/'; }
 [ "$(contacts 2)" -lt $(($(contacts 1) - 40)) ] || fail "$(contacts 1) contacts became $(contacts 2): the wall still stands"
+
+# A scene opens as `epode run` runs it.
+printf 'frames 2\nprint\n' > keys
+for scene in wall pendulum ragdolls; do
+    "$epode" run $scene --steps 1 --json > run.json || fail "run $scene"
+    stepper=$(sed -n 's/.*"stepper": *"\([a-z]*\)".*/\1/p' run.json)
+    grep -q '"world_contacts": *true' run.json && kind='world contacts' || kind='contact joints'
+    view $scene --script keys || fail "exit code $?"
+    line 1 | grep -q " stepper $stepper $kind\$" || fail "$scene runs with $stepper and $kind"
+done
+view wall --stepper exact --script keys || fail "exit code $?"
+line 1 | grep -q ' stepper exact contact joints$' || fail "the stepper that was asked for"
 
 # A recording, and pictures by frames alone.
 "$epode" record pendulum --seconds 0.5 --quiet -o run.epr > out 2> err || fail "record"
@@ -106,4 +118,7 @@ refused pendulum --frames 1 --stepper slow
 echo 'press space' > bad
 refused pendulum --script bad
 grep -q "'press space'" err || fail "the line is not told"
+echo 'key sapce' > bad
+refused pendulum --script bad
+grep -q "no key 'sapce'. Keys: .*space.* ctrl+o" err || fail "the keys are not told"
 echo "script: good"

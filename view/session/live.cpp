@@ -5,6 +5,7 @@
 #include "view/session/live.h"
 
 #include <cmath>
+#include <string>
 
 #include "scenes/extensions.h"
 #include "view/session/ray.h"
@@ -69,6 +70,7 @@ void Live::build()
     scene_.reset();
     stage_ = std::make_unique<Stage>(options.memory);
     scene_ = std::make_unique<scenes::Scene>(recipe_, options.seed);
+    if (std::string problem; options.world_contacts) (void)scene_->manage_contacts(problem);
     scenes::request_step_report(scene_->world(), true);
     recorder_ = std::make_unique<SceneRecorder>(*scene_, *stage_);
     shots_.clear();

@@ -21,6 +21,7 @@ namespace epode::view {
 
 struct LiveOptions {
     scenes::Stepper stepper = scenes::Stepper::kQuick;
+    bool world_contacts = false;  // not of contact joints, where the scene makes none of its own
     double dt = 0.01;
     int iterations = 0;  // 0: the stepper's own
     int threads = 1;
