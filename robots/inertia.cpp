@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "robots/meshes/solid.h"
+#include "robots/numbers.h"
 
 namespace epode::robots {
 
@@ -204,8 +205,8 @@ std::string fault_of(const Matrix& inertia)
 {
     if (!is_finite(inertia)) return "is not finite";
     const auto m = principal_moments(inertia);
-    const std::string values = "(principal moments " + std::to_string(m[0]) + ", " + std::to_string(m[1]) +
-                               ", " + std::to_string(m[2]) + " kg m^2)";
+    const std::string values =
+        "(principal moments " + text_of(m[0]) + ", " + text_of(m[1]) + ", " + text_of(m[2]) + " kg m^2)";
     if (!(m[0] > 0)) return "is not positive definite " + values;
     if (m[2] > m[0] + m[1] + 1e-9 * (m[0] + m[1] + m[2]))
         return "has a moment larger than the sum of the others " + values + ", which no body has";

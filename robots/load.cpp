@@ -108,7 +108,7 @@ void judge_missing_mass(RobotModel& model, Link& link, bool carries, const LoadO
     const std::string its = "the moving link '" + link.name + "' has no ";
     if (give_mass(model, link, options))  // asked for, so not even strict minds
         add(model, Note::kApproximated, link.line,
-            its + "inertial: it was given " + std::to_string(link.mass) + " kg");
+            its + "inertial: it was given " + text_of(link.mass) + " kg");
     else if (carries)
         add(model, options.strict ? Note::kError : Note::kApproximated, link.line,
             its + "mass: a small body carries what hangs on it");

@@ -5,6 +5,8 @@
 #include "robots/numbers.h"
 
 #include <algorithm>
+#include <charconv>
+#include <limits>
 
 namespace epode::robots {
 
@@ -110,6 +112,15 @@ void open_limits(RobotModel& model)
 }
 
 }  // namespace
+
+std::string text_of(double value)
+{
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    char buffer[32];
+    const auto [end, error] =
+        std::to_chars(buffer, buffer + sizeof buffer, std::clamp(value, -kLargest, kLargest));
+    return error == std::errc() ? std::string(buffer, end) : "0";
+}
 
 const char* max_number_text() { return sizeof(dReal) == 8 ? "1e30" : "1e9"; }
 

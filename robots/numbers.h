@@ -15,6 +15,10 @@ constexpr double kMaxNumber = sizeof(dReal) == 8 ? 1e30 : 1e9;
 // "1e30".
 const char* max_number_text();
 
+// The shortest text that is read as this number, with a point in every locale. What has no limit is the largest number:
+// readers want finite ones and take such limits for none.
+std::string text_of(double value);
+
 // Limits beyond it are none: +-kInfinity. An error for each part of the model with another such number.
 void judge_numbers(RobotModel& model);
 

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "record/output/digits.h"
+
 namespace epode::record {
 
 bool write_csv(const Recording& recording, const std::string& path, std::string& problem)
@@ -23,11 +25,11 @@ bool write_csv(const Recording& recording, const std::string& path, std::string&
         const Step& now = recording.steps[step];
         for (size_t i = 0; i < now.bodies.size(); ++i) {
             const BodyState& body = now.bodies[i];
-            std::fprintf(file, "%zu,%.17g,%u", step, now.time, numbers[i]);
-            for (double value : body.pose.pos) std::fprintf(file, ",%.17g", value);
-            for (double value : body.pose.turn) std::fprintf(file, ",%.17g", value);
-            for (double value : body.linear) std::fprintf(file, ",%.17g", value);
-            for (double value : body.angular) std::fprintf(file, ",%.17g", value);
+            std::fprintf(file, "%zu,%s,%u", step, digits_of(now.time, 17).c_str(), numbers[i]);
+            const auto write = [&](const auto& values) {
+                for (double value : values) std::fprintf(file, ",%s", digits_of(value, 17).c_str());
+            };
+            write(body.pose.pos), write(body.pose.turn), write(body.linear), write(body.angular);
             std::fputc('\n', file);
         }
     }

@@ -6,8 +6,9 @@
 #pragma once
 
 #include <cmath>
-#include <cstdio>
 #include <string>
+
+#include "record/output/digits.h"
 
 namespace epode::record {
 
@@ -33,12 +34,7 @@ class Json {
         return *this;
     }
     Json& value(const char* text) { return value(std::string(text)); }
-    Json& value(double number)
-    {
-        char text[32] = "null";
-        if (std::isfinite(number)) std::snprintf(text, sizeof text, "%.9g", number);
-        return raw(text);
-    }
+    Json& value(double number) { return raw(std::isfinite(number) ? digits_of(number, 9) : "null"); }
     Json& value(size_t number) { return raw(std::to_string(number)); }
     Json& value(int number) { return raw(std::to_string(number)); }
     Json& value(bool yes) { return raw(yes ? "true" : "false"); }

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "robots/numbers.h"
+
 namespace epode::robots {
 
 namespace {
@@ -48,11 +50,8 @@ bool are_good_counts(double rows, double columns, std::string& problem)
 {
     const auto is_count = [](double value) { return value >= 2 && value == std::floor(value); };
     if (is_count(rows) && is_count(columns) && rows * columns <= double(kMaxSamples)) return true;
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "has %g rows of %g samples; wanted 2 or more of each, and at most %zu in all", rows,
-                  columns, kMaxSamples);
-    problem = text;
+    problem = "has " + text_of(rows) + " rows of " + text_of(columns) +
+              " samples; wanted 2 or more of each, and at most " + std::to_string(kMaxSamples) + " in all";
     return false;
 }
 

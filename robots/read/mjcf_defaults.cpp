@@ -4,7 +4,7 @@
 // See mjcf_defaults.h.
 #include "robots/read/mjcf_defaults.h"
 
-#include <cstdio>
+#include "robots/numbers.h"
 
 namespace epode::robots {
 
@@ -33,13 +33,6 @@ bool is_gain(const std::string& attribute)
                                              "diameter", "bias",    "gainprm",   "biasprm",   "gaintype",
                                              "biastype", "dyntype", "dynprm"};
     return gains.count(attribute) > 0;
-}
-
-std::string text_of(double value)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.17g", value);
-    return text;
 }
 
 double number_at(const Values& values, const char* name, size_t i, double otherwise)

@@ -186,7 +186,7 @@ void Urdf::read_inertial(const Element& element, Link& link)
     if (!inertial) return;
     reading_.number(inertial.child("mass"), "value", link.mass);
     if (link.mass < 0)
-        reading_.error(inertial, "link '" + link.name + "' has the mass " + std::to_string(link.mass) +
+        reading_.error(inertial, "link '" + link.name + "' has the mass " + text_of(link.mass) +
                                      " kg; it must be positive");
     const Pose origin = origin_of(inertial);
     double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
@@ -274,9 +274,8 @@ void Urdf::read_limits(const Element& element, Joint& joint)
         joint.low = joint.high = 0;  // what URDF takes for missing ones
         reading_.number(limit, "lower", joint.low), reading_.number(limit, "upper", joint.high);
         if (joint.low > joint.high) {
-            reading_.error(element, "joint '" + joint.name + "' has the lower limit " +
-                                        std::to_string(joint.low) + " above the upper " +
-                                        std::to_string(joint.high));
+            reading_.error(element, "joint '" + joint.name + "' has the lower limit " + text_of(joint.low) +
+                                        " above the upper " + text_of(joint.high));
         }
     }
     reading_.number(limit, "effort", joint.max_force), reading_.number(limit, "velocity", joint.max_velocity);

@@ -9,20 +9,9 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <limits>
 #include <sstream>
 
 namespace epode::robots {
-
-// What has no limit is written as a number that readers take for none: they want finite ones.
-std::string text_of(double value)
-{
-    constexpr double kLargest = std::numeric_limits<double>::max();
-    char buffer[32];
-    const auto [end, error] =
-        std::to_chars(buffer, buffer + sizeof buffer, std::clamp(value, -kLargest, kLargest));
-    return error == std::errc() ? std::string(buffer, end) : "0";
-}
 
 std::string list_text(const std::vector<double>& values)
 {

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "robots/model.h"
+#include "robots/numbers.h"
 
 namespace epode::robots {
 
 // The shortest that reads back as the same number.
-std::string text_of(double value);
 std::string list_text(const std::vector<double>& values);
 std::string text_of(Vec v);
 std::string text_of(Quat q);  // w, x, y, z

@@ -8,12 +8,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "record/file/bytes.h"
 #include "record/output/csv.h"
 #include "record/output/page_data.h"
 #include "sample.h"
+#include "tests/comma_locale.h"
 
 namespace epode::record {
 namespace {
@@ -117,6 +120,23 @@ TEST(PageData, of_a_run_that_went_wrong_is_sound)
     const PageData data = make_page_data(recording, 1000);
     EXPECT_FALSE(json::parse(data.head, nullptr, false).is_discarded());
     EXPECT_FALSE(json::parse(make_page_data(Recording{}, 30).head, nullptr, false).is_discarded());
+}
+
+TEST(Texts, have_points_where_the_locale_of_the_program_has_commas)
+{
+    std::string problem;
+    const auto texts = [&] {
+        const std::string path = testing::TempDir() + "/epode_locale.csv";
+        EXPECT_TRUE(write_csv(sample_recording(), path, problem)) << problem;
+        std::ostringstream table;
+        table << std::ifstream(path).rdbuf();
+        std::remove(path.c_str());
+        return table.str() + make_page_data(sample_recording(), 1000).head;
+    };
+    const std::string wanted = texts();
+    const CommaLocale locale;
+    if (!locale.is_there()) GTEST_SKIP() << "localedef makes no de_DE.UTF-8";
+    EXPECT_EQ(texts(), wanted);
 }
 
 TEST(Tables, have_a_line_for_each_body_of_each_state)

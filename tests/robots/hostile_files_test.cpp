@@ -16,6 +16,7 @@
 #include "robots/build.h"
 #include "robots/load.h"
 #include "robots/write/write.h"
+#include "tests/comma_locale.h"
 
 namespace {
 
@@ -231,6 +232,27 @@ TEST(RobotFiles, NamesCountFromTheFolderThatIsWorkedIn)
     EXPECT_EQ(errors_of(load_robot("r.urdf")), "");
     fs::current_path(before);
     fs::remove_all(top);
+}
+
+// Defaults of a position servo are turned into a general one's by their texts, and reports have numbers.
+TEST(RobotFiles, AreReadTheSameWhereTheLocaleHasCommas)
+{
+    const std::string servo =
+        "<mujoco><default><position kp='2.5' kv='0.5'/></default><worldbody><body name='b'><joint name='j' "
+        "limited='true' range='0.5 1.25'/><geom type='sphere' "
+        "size='0.1'/></body></worldbody><actuator><general "
+        "name='g' joint='j'/></actuator></mujoco>";
+    const std::string wrong = urdf(
+        link("a") + "<link name='b'><inertial><mass value='-0.5'/></inertial></link>" + joint("j", "a", "b"));
+    const auto texts = [&] {
+        const RobotModel model = load_robot_text(kModels + "/text.xml", servo);
+        return errors_of(model) + write_mjcf(model, kModels).text + write_urdf(model, kModels).text +
+               errors_of(load_robot_text(kModels + "/text.urdf", wrong));
+    };
+    const std::string wanted = texts();
+    const epode::CommaLocale locale;
+    if (!locale.is_there()) GTEST_SKIP() << "localedef makes no de_DE.UTF-8";
+    EXPECT_EQ(texts(), wanted);
 }
 
 TEST(HostileFiles, IncludesInCirclesAreRefused)
