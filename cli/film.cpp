@@ -108,7 +108,7 @@ bool Film::add(const std::vector<std::uint8_t>& rgb)
     if (pipe_ >= 0) {
         if (!write_all(pipe_, rgb.data(), rgb.size())) problem_ = "ffmpeg stopped";
     } else if (!write_png(png_name(pictures_), width_, height_, rgb)) {
-        problem_ = fmt::format("cannot write '{}'", png_name(pictures_));
+        problem_ = fmt::format("cannot write '{}': {}", png_name(pictures_), std::strerror(errno));
     }
     return problem_.empty();
 }

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // epode: simulates a named scene, judges the result, shows a picture. This file is the command line alone.
+#include <sys/stat.h>
 #include <CLI/CLI.hpp>
 
 #include <exception>
@@ -28,8 +29,11 @@ using epode::cli::ReplayOptions;
 using epode::cli::RunOptions;
 using epode::cli::whole_number_within;
 
+// A device has the name that it has, which says of no format: it is refused.
 std::string with_ending(const std::string& path, const std::string& ending)
 {
+    struct stat status;
+    if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) return path;
     const bool has = path.size() > ending.size() && path.ends_with(ending);
     return has ? path : path + ending;
 }

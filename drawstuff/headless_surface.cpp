@@ -4,6 +4,8 @@
 // Frames as PNG files, by an OpenGL context without a window. Time is that of the frames, 1/60 s each, not
 // the clock's: a program that steps by dsElapsedTime gives the same pictures on every machine. Where no
 // pictures are wanted, no context is opened: such a run needs no OpenGL.
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 #include "surface.h"
@@ -54,7 +56,7 @@ class HeadlessSurface : public Surface {
         std::snprintf(name, sizeof name, "/frame%04d.png", frame_);
         const std::string path = folder_ + name;
         if (viewer::write_rgb(path.c_str(), width_, height_, rgb.data())) return true;
-        error = "cannot write " + path;
+        error = "cannot write " + path + ": " + std::strerror(errno);
         return false;
     }
 

@@ -5,6 +5,9 @@
 // file is opened last, so a picture that fails leaves no empty file behind.
 #include "picture.h"
 
+#include <cerrno>
+#include <cstring>
+
 #include "camera.h"
 #include "headless.h"
 #include "png.h"
@@ -48,7 +51,7 @@ bool write_png(const Picture& picture, const char* path, std::string& error)
         !renderer.read(rgb, error))
         return false;
     if (write_rgb(path, picture.width, picture.height, rgb.data())) return true;
-    error = std::string("no picture: cannot write ") + path;
+    error = std::string("no picture: cannot write ") + path + ": " + std::strerror(errno);
     return false;
 }
 

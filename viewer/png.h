@@ -8,7 +8,7 @@
 
 namespace epode::viewer {
 
-// rgb: 3 bytes a pixel, rows from the top. False when the file cannot be written.
+// rgb: 3 bytes a pixel, rows from the top. False when the file cannot be written: errno tells why.
 bool write_rgb(const char* path, int width, int height, const std::uint8_t* rgb);
 
 }  // namespace epode::viewer

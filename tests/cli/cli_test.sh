@@ -233,6 +233,14 @@ expect 2 run pendulum --steps 2 --trace "$work/twice" --picture "$work/twice"
 if [[ -w /dev/full ]]; then
     expect 1 run pendulum --steps 2000 --trace /dev/full --quiet
     has err '/dev/full.*No space left'
+    if "$program" run table --steps 1 --picture "$work/try.png" --quiet > /dev/null 2>&1; then
+        expect 1 run table --steps 1 --picture /dev/full --quiet
+        has err "cannot write the picture '/dev/full'.*No space left"
+    fi
+    # No file beside the device: its name says of no format.
+    expect 2 run table --steps 1 --html /dev/full --quiet
+    has err "'/dev/full'"
+    [[ ! -e /dev/full.html ]] || fail '--html made /dev/full.html'
     # Standard output too, of every verb.
     "$program" record wall -o "$work/wall.epr" --steps 200 --quiet > /dev/null
     for words in list --help --version 'run --help' 'run wall --steps 2 --json' 'run wall --steps 2' "inspect $work/wall.epr" \

@@ -20,7 +20,9 @@
 #include <unistd.h>
 #endif
 
+#include <climits>
 #include <cstdio>
+#include <cstdlib>
 
 namespace epode {
 
@@ -34,6 +36,9 @@ inline int open_new(const char* path)
 }
 
 inline int flush_to_disk(int file) { return ::_commit(file); }
+
+// Programs make none here without rights of their own.
+inline const char* end_of_links(const char*, char*) { return nullptr; }
 
 // Over an existing file, too, which rename() refuses here.
 inline int replace_file(const char* from, const char* to)
@@ -51,6 +56,18 @@ inline int open_to_read(const char* path) { return ::open(path, O_RDONLY | O_CLO
 inline int open_new(const char* path) { return ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666); }
 
 inline int flush_to_disk(int file) { return ::fsync(file); }
+
+// The file that the path leads to through symbolic links, in `to` of PATH_MAX bytes. Null: none, or it is no link.
+inline const char* end_of_links(const char* path, char* to)
+{
+#if defined(__wasm__)
+    (void)path, (void)to;
+    return nullptr;
+#else
+    struct stat about;
+    return ::lstat(path, &about) == 0 && S_ISLNK(about.st_mode) ? ::realpath(path, to) : nullptr;
+#endif
+}
 inline int replace_file(const char* from, const char* to) { return ::rename(from, to); }
 
 #endif

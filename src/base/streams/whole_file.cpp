@@ -79,9 +79,13 @@ const char* read_file(const char* path, Array<std::byte>& out, char* text, std::
     return read_all(file.number(), out.span()) ? nullptr : why(path, text, text_size);
 }
 
+// A link stays one, and what it leads to is replaced.
 const char* write_file(const char* path, std::span<const std::byte> bytes, char* text, std::size_t text_size)
 {
     struct stat about;
+    char whole[4096];
+    static_assert(sizeof whole >= PATH_MAX);
+    if (const char* const end = end_of_links(path, whole)) path = end;
     if (::stat(path, &about) == 0 && !S_ISREG(about.st_mode)) return kNoFile;
     char fresh[4096];
     const int length = std::snprintf(fresh, sizeof fresh, "%s.%ld.new", path, process_number());
