@@ -17,13 +17,13 @@ namespace {
 
 bool is_set(const char* name)
 {
-    const char* value = std::getenv(name);
+    const char* value = secure_getenv(name);
     return value && *value;
 }
 
 void read_number(const char* name, int least, int& number)
 {
-    const char* text = std::getenv(name);
+    const char* text = secure_getenv(name);
     if (!text) return;
     int value = 0;
     const char* end = text + std::strlen(text);
@@ -50,17 +50,17 @@ void read_surroundings(Options& options)
 {
     options.headless = !is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY");
     if (is_set("EPODE_GL")) {
-        const std::string gl = std::getenv("EPODE_GL");
+        const std::string gl = secure_getenv("EPODE_GL");
         if (gl == "egl" || gl == "window") {
             options.headless = gl == "egl";
         } else {
             note("EPODE_GL=%s is neither egl nor window and is not used", gl.c_str());
         }
     }
-    if (const char* folder = std::getenv("EPODE_FRAMES")) options.frame_folder = folder;
+    if (const char* folder = secure_getenv("EPODE_FRAMES")) options.frame_folder = folder;
     read_number("EPODE_FRAME_COUNT", 0, options.frame_count);
     read_number("EPODE_FRAME_EVERY", 1, options.frame_every);
-    options.fine = is_set("EPODE_LOOK") && std::strcmp(std::getenv("EPODE_LOOK"), "fine") == 0;
+    options.fine = is_set("EPODE_LOOK") && std::strcmp(secure_getenv("EPODE_LOOK"), "fine") == 0;
 }
 
 }  // namespace

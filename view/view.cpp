@@ -21,8 +21,8 @@ namespace {
 
 bool has_display()
 {
-    const char* x11 = std::getenv("DISPLAY");
-    const char* wayland = std::getenv("WAYLAND_DISPLAY");
+    const char* x11 = secure_getenv("DISPLAY");
+    const char* wayland = secure_getenv("WAYLAND_DISPLAY");
     return (x11 && *x11) || (wayland && *wayland);
 }
 

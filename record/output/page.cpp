@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> places()
 {
-    if (const char* said = std::getenv("EPODE_PAGE")) return {said};
+    if (const char* said = secure_getenv("EPODE_PAGE")) return {said};
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
     if (error) return {};

@@ -38,12 +38,22 @@ bool is_inside(const std::string& path, const std::string& root)
     return path.size() > root.size() && path.compare(0, root.size(), root) == 0 && path[root.size()] == '/';
 }
 
+// A program with other rights than its caller's (set-user-ID) ignores the caller's environment.
+const char* environment_value(const char* name)
+{
+#if defined(__GLIBC__)
+    return secure_getenv(name);
+#else
+    return std::getenv(name);
+#endif
+}
+
 // Folders of ROS's environment.
 std::vector<std::string> environment_paths()
 {
     std::vector<std::string> out;
     for (const char* name : {"ROS_PACKAGE_PATH", "AMENT_PREFIX_PATH"}) {
-        const char* value = std::getenv(name);
+        const char* value = environment_value(name);
         std::string text = value ? value : "";
         while (!text.empty()) {
             const size_t colon = text.find(':');

@@ -4,6 +4,7 @@
 #
 # hardening.sh LIBRARY REFERENCE: what protects a process from mistakes, its own and ours. LIBRARY has every protection
 # that REFERENCE, Debian's library, has, and does nothing that spoils a host. 77, ctest's skip: there is no REFERENCE.
+# hardening.sh LIBRARY parser: LIBRARY or program has what those who read the files of others have.
 set -eu
 export LC_ALL=C
 
@@ -21,6 +22,21 @@ faults() {
     nm -D "$1" | grep -qw getenv && echo "it obeys the environment of a set-user-ID program (getenv, not secure_getenv)"
     :
 }
+
+guards() {
+    readelf -lW "$1" | grep -q GNU_RELRO || echo "relocations are read-only (GNU_RELRO)"
+    nm -D "$1" | grep -qw __stack_chk_fail || echo "returns are guarded (-fstack-protector-strong)"
+    nm -D "$1" | grep -qE '__(memcpy|snprintf|vsnprintf|read|memset|strcpy|fprintf)_chk' || echo "sizes are checked (_FORTIFY_SOURCE)"
+    # Of a program CLI11 contains one, for options that are given by the environment: it has none.
+    case $1 in *.so*) nm -D "$1" | grep -qw getenv && echo "secure_getenv, not getenv" ;; esac
+    :
+}
+if [ "$2" = parser ]; then
+    lacking=$(guards "$1")
+    [ -z "$lacking" ] || { echo "$1 LACKS:
+$lacking"; exit 1; }
+    exit 0
+fi
 
 [ -e "$2" ] || { echo "hardening: $2 is not installed (scripts/setup test)"; exit 77; }
 own=$(protections "$1")

@@ -237,7 +237,7 @@ if [[ -w /dev/full ]]; then
         expect 1 run table --steps 1 --picture /dev/full --quiet
         has err "cannot write the picture '/dev/full'.*No space left"
     fi
-    # No file beside the device: its name says of no format.
+    # No file next to the device: its name says of no format.
     expect 2 run table --steps 1 --html /dev/full --quiet
     has err "'/dev/full'"
     [[ ! -e /dev/full.html ]] || fail '--html made /dev/full.html'
