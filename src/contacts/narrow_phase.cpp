@@ -15,11 +15,11 @@
 namespace epode {
 namespace {
 
-constexpr Real kReuse = Real(0.02);            // of the size, for manifolds that miss nothing
-constexpr Real kLayerShare = Real(1e-3);       // of the size, the layer at most where nobody has set it
-constexpr Real kReuseLayer = Real(0.25);       // of the layer, for others
-constexpr Real kSwift = Real(0.02);            // of the size, a way in one step
-constexpr Real kNear = Real(0.3);              // of the size, at most, for points that do not touch yet
+constexpr Real kReuse = Real(0.02);       // of the size, for manifolds that miss nothing
+constexpr Real kLayerShare = Real(1e-3);  // of the carried size, the layer at most where nobody has set it
+constexpr Real kReuseLayer = Real(0.25);  // of the layer, for others
+constexpr Real kSwift = Real(0.02);       // of the size, a way in one step
+constexpr Real kNear = Real(0.3);         // of the size, at most, for points that do not touch yet
 constexpr int kSolidPoints = kManifoldPoints;  // that are asked for
 constexpr int kSurfacePoints = 16;
 
@@ -37,6 +37,18 @@ Real size_of(Geom& a, Geom& b)
 {
     const Real size = std::min(size_of(a), size_of(b));
     return size < kInf ? size : 1;
+}
+
+// The size that the layer of a pair follows, of what is carried by it. Contacts that carry one thing together have one layer, or the
+// deepest of them has no load: all of a body's geoms have the size of the body, and bodies that joints hold together are
+// as good as large. What does not move has no say.
+Real carried_size(Geom& geom, const Body* body)
+{
+    if (!moves(body) || body->lasting) return kInf;
+    if (!geom.body_next && !geom.body_prev) return size_of(geom);
+    constexpr Real kOfPlate = Real(1.22);  // half an edge of a plate over its radius of gyration
+    const Real largest = std::max({body->inertia.xx, body->inertia.yy, body->inertia.zz});
+    return kOfPlate * std::sqrt(largest * body->inv_mass);
 }
 
 // Functions of the program may have made it.
@@ -78,10 +90,16 @@ class PairUpdate {
         if (size_ < 0) size_ = size_of(g1_, g2_);
         return size_;
     }
-    // What the program has asked for; else it is small compared with the smaller geom, too.
+    // What the program has asked for; else it is small compared with the smaller one that is carried, too.
     Real layer() const
     {
-        return settings_.layer_fits ? std::min(settings_.layer, kLayerShare * size()) : settings_.layer;
+        if (layer_ < 0) layer_ = settings_.layer_fits ? fitting_layer() : settings_.layer;
+        return layer_;
+    }
+    Real fitting_layer() const
+    {
+        const Real size = std::min(carried_size(g1_, pair_.body1), carried_size(g2_, pair_.body2));
+        return std::min(settings_.layer, kLayerShare * size);
     }
     bool can_be_separated() const { return settings_.foresees && is_solid(g1_) && is_solid(g2_); }
 
@@ -310,9 +328,9 @@ class PairUpdate {
     NearLeaves* const leaves_;
     const Pose pose1_, pose2_;
     const Vec3 x1_, x2_;
-    mutable Real size_ = -1;  // not known yet
-    bool apart_ = false;      // at present, as has been proved
-    Vec3 offset_;             // of g2 in g1's frame
+    mutable Real size_ = -1, layer_ = -1;  // not known yet
+    bool apart_ = false;                   // at present, as has been proved
+    Vec3 offset_;                          // of g2 in g1's frame
     Mat3 turn_;
 };
 

@@ -197,7 +197,7 @@ bool ExactSubsteps::next(IslandWork& first, const SolverSettings& settings, Solv
     map(work.system);
     raised =
         !world_.acts_as_ode() && add_tension(work, work.system.bodies, hs_, kResolvedExactly, arena_) > 0;
-    if (world_.projection_iterations > 0) leave_depth_to_projection(work.system);
+    if (world_.projection_iterations > 0) leave_depth_to_projection(world_, work);
     load_warm_start(first, work);
     SolveReport one;
     if (!kDirect.solve(work.system, settings, arena_, one) || !sound(work.system, 0)) return false;

@@ -82,7 +82,7 @@ class IslandStep {
         if (watches_strain() && !strain_.begin(world_, work_, arena_)) return false;
         raise_inertias(reports);
         if (projects())
-            leave_depth_to_projection(work_.system);
+            leave_depth_to_projection(world_, work_);
         else if (!context_.solver.substeps && !has_exact_substeps())
             closes_stops_ = leave_stops_to_poses(world_, work_.system);
         SolverSettings settings;

@@ -111,8 +111,8 @@ constexpr std::uint64_t kGolden[kLongScenes][6] = {
      0xcb496a0bbb38f258u},
     {0x1d5e3b6b6713960bu, 0xdbf189ea62895449u, 0xb0ddeb039a775dacu, 0x8ed709575336abf3u, 0x80113cd2ebbccc0du,
      0xfc11404ef02c3638u},
-    {0xea268dd3ec043070u, 0xec9c5a2d0a302665u, 0x5838f708d21cdd5du, 0x4234a9d9d346700fu, 0x4e47430a2a0160e5u,
-     0xa436a3fb0d59718du},
+    {0xea268dd3ec043070u, 0xec9c5a2d0a302665u, 0x5838f708d21cdd5du, 0x99c3cb22fe4a94bau, 0x3b571e924daceca5u,
+     0xf0ac3668b6ce242cu},
     {0x3e65810f493564b5u, 0x55b52a8026e8ec75u, 0x816886bd28308f09u, 0xadd635cbfb028793u, 0x2fe4957380278118u,
      0x72c2f4d9d5501ca7u}};
 

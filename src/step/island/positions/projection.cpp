@@ -43,6 +43,7 @@ namespace {
 constexpr Real kSpringShare = Real(1e-3);  // of the inverse_mass, above which softness is meant
 constexpr Real kLongTurn = Real(0.03);     // opening relative to the lever, about (w h)^2/2
 constexpr int kMaxHalvings = 5;
+constexpr Real kClosed = Real(0.01);  // of the tolerance, a gap that is none
 
 // What a row of the projection needs besides its Row in the system.
 struct Hold {
@@ -313,16 +314,27 @@ class Projection {
     Real worst_ = 0, merit_ = 0;  // largest e/l, sum of its squares
 };
 
+// Of hard contacts that carry one thing together the one with the least gap would have all of the load, by a nanometre. Wider gaps
+// must close: a ball that rolls down a bowl follows it through them.
+bool is_closed(const Row& normal, const RowBlock& block, const World& world, const IslandWork& work)
+{
+    return -normal.speed * work.system.h <= kClosed * world.projection_tolerance * longest_arm(work, block);
+}
+
 }  // namespace
 
-void leave_depth_to_projection(RowSystem& system)
+void leave_depth_to_projection(const World& world, const IslandWork& work)
 {
+    const RowSystem& system = work.system;
     for (const RowBlock& block : system.blocks)
         for (int i = block.first; i < block.first + block.count; ++i) {
             const Row& row = system.rows[std::size_t(i)];
             const bool beyond = (row.lo == 0 && row.error > 0) || (row.hi == 0 && row.error < 0);
+            Real& c = system.numbers[std::size_t(i)].c;
             if (beyond && !is_spring(row, block, system))
-                system.numbers[std::size_t(i)].c = wanted_velocity(row, 0);
+                c = wanted_velocity(row, 0);
+            else if (c < 0 && row.kind == RowKind::kNormal && is_closed(row, block, world, work))
+                c = 0;
         }
 }
 

@@ -18,7 +18,7 @@ struct ProjectionReport {
 };
 
 // With a projection to follow, velocities need not push bodies out of contacts and back from stops.
-void leave_depth_to_projection(RowSystem& system);
+void leave_depth_to_projection(const World& world, const IslandWork& work);
 
 // The island's poses have been advanced by h. Out of memory: all stays.
 ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks,
