@@ -416,7 +416,7 @@ ODE_API void dBodyAddRelForceAtPos(dBodyID body, dReal fx, dReal fy, dReal fz, d
 ODE_API void dBodyAddRelForceAtRelPos(dBodyID body, dReal fx, dReal fy, dReal fz, dReal px, dReal py,
                                       dReal pz);
 
-/** A disabled body keeps its sum until it moves again.
+/** A step clears the sums of all bodies. With dBehaviour016 a disabled body keeps its sum until it moves again.
     - dBodyGetForce: A pointer to the sum of the forces that have been added for the next step: 3 reals, N,
       world frame.
     - dBodyGetTorque: A pointer to the sum of the torques that have been added for the next step: 3 reals, N

@@ -5,6 +5,7 @@
 // in body_rules.cpp.
 #include "api/body_handle.h"
 #include "base/float_environment.h"
+#include "dynamics/sleeping_forces.h"
 #include "math/rotation.h"
 #include "ode/ode.h"
 #include "state/world_archive.h"
@@ -21,9 +22,14 @@ void push(Body& body, Vec3 f, Vec3 arm)
 {
     store(body.facc, load(body.facc) + f);
     store(body.tacc, load(body.tacc) + cross(arm, f));
+    note_forces(body);
 }
 
-void twist(Body& body, Vec3 t) { store(body.tacc, load(body.tacc) + t); }
+void twist(Body& body, Vec3 t)
+{
+    store(body.tacc, load(body.tacc) + t);
+    note_forces(body);
+}
 
 }  // namespace
 
@@ -114,8 +120,8 @@ void dBodySetQuaternion(dBodyID b, const dQuaternion q)
 
 BODY_VECTOR(LinearVel, lvel, wake_if_driven(*body))
 BODY_VECTOR(AngularVel, avel, body->spin_excess = Vec3(), wake_if_driven(*body))
-BODY_VECTOR(Force, facc)
-BODY_VECTOR(Torque, tacc)
+BODY_VECTOR(Force, facc, note_forces(*body))
+BODY_VECTOR(Torque, tacc, note_forces(*body))
 
 const dReal* dBodyGetPosition(dBodyID b)
 {

@@ -6,6 +6,7 @@
 // those with the fields. So only these are fetched, and a loop of its own reads each of the usual sets of fields.
 #include "base/check.h"
 #include "base/float_environment.h"
+#include "dynamics/sleeping_forces.h"
 #include "dynamics/world.h"
 #include "ode/state.h"
 #include "step/common/link.h"
@@ -135,6 +136,7 @@ void set(Body& body, unsigned fields, const Real* from)
     if (fields & kVelocities) wake_if_driven(body);
     if (fields & dStateForce) take(body.facc, from);
     if (fields & dStateTorque) take(body.tacc, from);
+    if (fields & (dStateForce | dStateTorque)) note_forces(body);
     if (fields & dStateEnabled) *from != 0 ? wake(body) : disable(body);
 }
 

@@ -10,6 +10,7 @@
 #include "base/streams/content_hash.h"
 #include "dynamics/active.h"
 #include "dynamics/joint.h"
+#include "dynamics/sleeping_forces.h"
 #include "dynamics/world.h"
 
 namespace epode {
@@ -70,6 +71,7 @@ Body* create_body(World& world)
 void destroy_body(Body& body)
 {
     while (body.joints) detach(*body.joints->joint);
+    forget_forces(body);
     body.world->bodies.leave(body);
     note_structure_changed();
     Pool<Body>::destroy(&body);

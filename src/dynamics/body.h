@@ -20,6 +20,7 @@ struct World;
 struct Joint;
 struct JointNode;
 struct ManifoldEdge;
+struct Body;
 
 // When a body may fall asleep; thresholds are kept squared, as they are compared.
 struct SleepRule {
@@ -36,6 +37,12 @@ struct Stillness {
     Quat orientation;
     Real time = 0;  // since then
     bool still = false;
+};
+
+// In the list of bodies that are asleep with forces (dynamics/sleeping_forces).
+struct ForcedLink {
+    Body* next = nullptr;
+    Body** from = nullptr;  // what points to the body; null: it is in no list
 };
 
 struct DampingRule {
@@ -111,6 +118,7 @@ struct Body : Numbered {
     Real settling_time = 0;  // that its island has been settling without falling asleep (dynamics/settle)
     std::uint64_t mass_hash = 0;  // tells `mass` from others
     std::uint64_t put_down = 0;   // when the program has disabled it: a number as of disturbances
+    ForcedLink forced;
 
     Pose pose() const { return load_pose(pos, R); }
     Vec3 position() const { return load(pos); }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "dynamics/active.h"
+#include "dynamics/sleeping_forces.h"
 
 namespace epode {
 namespace {
@@ -336,7 +337,10 @@ bool special(Body& body, std::uint16_t bits, StateStream& stream)
 {
     const bool moves = pose(body, bits, stream);
     if (bits & kVelocity) stream.reals(body.lvel, 3), stream.reals(body.avel, 3);
-    if (bits & kForce) stream.reals(body.facc, 3), stream.reals(body.tacc, 3);
+    if (bits & kForce) {
+        stream.reals(body.facc, 3), stream.reals(body.tacc, 3);
+        if (stream.stores()) note_forces(body);
+    }
     if (bits & kSpin) vector(body.spin_excess, stream);
     if (bits & kFiniteAxis) vector(body.finite_axis, stream);
     if (bits & kHybrid) hybrid(body, stream);

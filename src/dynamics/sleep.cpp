@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "dynamics/joint.h"
+#include "dynamics/sleeping_forces.h"
 
 namespace epode {
 namespace {
@@ -95,6 +96,7 @@ void put_to_sleep(Body& body)
     store(body.lvel, {});
     store(body.avel, {});
     body.spin_excess = {};
+    note_forces(body);
     // Where it lies it has come to rest, whatever it did before.
     for (Stillness* window : {&body.short_window, &body.long_window})
         *window = {body.position(), body.orientation(), 0, window->still};

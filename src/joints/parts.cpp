@@ -7,6 +7,7 @@
 
 #include "base/streams/state_stream.h"
 #include "base/streams/structure_stream.h"
+#include "dynamics/sleeping_forces.h"
 #include "dynamics/world.h"
 #include "math/rotation.h"
 #include "math/trig.h"
@@ -181,36 +182,38 @@ void lock_level(const Joint& j, RowWriter& out, const AnchorPair& anchor, Vec3 d
 
 namespace {
 
-void accumulate(Real* sum, Vec3 add) { store(sum, load(sum) + add); }
+void accumulate(Body& body, Vec3 force, Vec3 torque)
+{
+    store(body.facc, load(body.facc) + force);
+    store(body.tacc, load(body.tacc) + torque);
+    note_forces(body);
+}
 
 }  // namespace
 
 void add_torque(Joint& j, Vec3 torque)
 {
-    if (Body* b = j.body1()) accumulate(b->tacc, torque);
-    if (Body* b = j.body2()) accumulate(b->tacc, -torque);
+    if (Body* b = j.body1()) accumulate(*b, {}, torque);
+    if (Body* b = j.body2()) accumulate(*b, {}, -torque);
 }
 
 void add_sliding_force(Joint& j, Vec3 force)
 {
     Body *b1 = j.body1(), *b2 = j.body2();
     if (!b1) return;
-    accumulate(b1->facc, force);
-    if (!b2) return;
-    accumulate(b2->facc, -force);
+    if (!b2) return accumulate(*b1, force, {});
     const Vec3 torque = Real(0.5) * cross(b2->position() - b1->position(), force);
-    accumulate(b1->tacc, torque);
-    accumulate(b2->tacc, torque);
+    accumulate(*b1, force, torque);
+    accumulate(*b2, -force, torque);
 }
 
 void add_force_at(Joint& j, const AnchorPair& anchor, Vec3 force)
 {
     Body *b1 = j.body1(), *b2 = j.body2();
-    if (b1) accumulate(b1->facc, force);
-    if (!b1 || !b2) return;
-    accumulate(b2->facc, -force);
-    accumulate(b1->tacc, cross(b1->rotation() * anchor.local[0], force));
-    accumulate(b2->tacc, cross(force, b2->rotation() * anchor.local[1]));
+    if (!b1) return;
+    if (!b2) return accumulate(*b1, force, {});
+    accumulate(*b1, force, cross(b1->rotation() * anchor.local[0], force));
+    accumulate(*b2, -force, cross(force, b2->rotation() * anchor.local[1]));
 }
 
 }  // namespace epode

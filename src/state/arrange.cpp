@@ -14,6 +14,7 @@
 #include "collide/describe.h"
 #include "collide/space.h"
 #include "dynamics/coupling.h"
+#include "dynamics/sleeping_forces.h"
 #include "step/common/link.h"
 
 namespace epode {
@@ -173,7 +174,10 @@ void Arrangement::arrange_bodies(const Topology& from, const Topology& to)
 {
     const auto object = [](const Topology::BodyRecord& r) { return r.body.object; };
     if (!same(from.bodies, to.bodies, object)) {
-        for (int i = from.bodies.size(); i-- > 0;) world_.bodies.leave(*from.bodies[i].body.object);
+        for (int i = from.bodies.size(); i-- > 0;) {
+            forget_forces(*from.bodies[i].body.object);
+            world_.bodies.leave(*from.bodies[i].body.object);
+        }
         for (const Topology::BodyRecord& r : to.bodies) {
             parking_.take(*r.body.object);
             (void)world_.bodies.join(*r.body.object);

@@ -8,6 +8,7 @@
 #include "base/objects/structure_edition.h"
 #include "collide/geom_leaves.h"
 #include "collide/space.h"
+#include "dynamics/sleeping_forces.h"
 #include "state/world_archive.h"
 #include "step/common/link.h"
 
@@ -181,6 +182,7 @@ bool History::keep(Body& body)
     if (count_ == 0 || !parking_.reserve(1)) return false;
     release_geoms(body);
     while (body.joints) detach(*body.joints->joint);
+    forget_forces(body);
     world_.bodies.leave(body);
     note_structure_changed();
     parking_.put(body, newest_);

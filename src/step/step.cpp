@@ -16,6 +16,7 @@
 #include "base/random.h"
 #include "dynamics/active.h"
 #include "dynamics/island.h"
+#include "dynamics/sleeping_forces.h"
 #include "joints/breaking.h"
 #include "step/common/link.h"
 #include "step/common/undo.h"
@@ -465,6 +466,7 @@ bool step_in(World& world, StepState& state, StepMemory& memory, const Solver* s
         if (state.events.list().wants_any()) step.list_events();
         step.deactivate_sleeping();
         step.finish();
+        clear_sleeping_forces(world);
         if (state.events.list().wants_any()) state.events.end_step(world, state.world_contacts.live_space());
         if (world.report_wanted) world.report = sum_of(state.reports.span());
     } else {

@@ -5,6 +5,7 @@
 #include "step/common/link.h"
 
 #include "collide/space.h"
+#include "dynamics/sleeping_forces.h"
 #include "dynamics/world.h"
 #include "math/rotation.h"
 
@@ -73,6 +74,7 @@ bool list_members(const Body& body, Space& space)
 void disable(Body& body)
 {
     body.disabled = true;
+    note_forces(body);
     body.put_down = body.world->last_put_down = next_disturbance();
 }
 

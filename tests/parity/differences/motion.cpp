@@ -162,6 +162,22 @@ DIFFERENCE(P2, slider, "a slow body keeps its speed while what is joined to it m
     return near(dBodyGetLinearVel(slow)[0], 0.005, 1e-9);
 }
 
+DIFFERENCE(P4, wind, "a body that has slept in the wind wakes with the wind of one step")
+{
+    const World world;
+    const dBodyID b = world.body();
+    dBodyDisable(b);
+    for (int i = 0; i < 100; ++i) {
+        dBodyAddForce(b, 1, 0, 0);
+        world.step(1);
+    }
+    dBodyEnable(b);
+    dBodyAddForce(b, 1, 0, 0);
+    world.step(1);
+    note("speed", dBodyGetLinearVel(b)[0]);
+    return near(dBodyGetLinearVel(b)[0], kStep, 1e-9);
+}
+
 DIFFERENCE(E1, nan, "a position that is no number is refused")
 {
     const World world;
