@@ -17,6 +17,10 @@
 // the constraints; e = l - I W ("excess") carries the rest over to the next step. A free body ends with I^-1
 // l1.
 //
+// Joints hold W and cannot see e. Where a step turns a body so far that e is a good part of l, the two drive each other without
+// bound: 24 of 60 random trees at 1/60 s. There a body on joints has e put into its velocity, which keeps l, and then the implicit
+// gyroscopic torque of dynamics/integrate.h, which damps.
+//
 // Source: the midpoint rule's two invariants and their Cayley form: Austin, Krishnaprasad & Wang, "Almost
 // Poisson Integration of Rigid Body Systems", J. Comp. Phys. 107 (1993); the scaling of W by tan(x)/x, which
 // trades Cayley's angle 2 atan(h |W|/2) for the exact h |W|, is ours. Rejected: the momentum kept in the
@@ -31,6 +35,7 @@ namespace epode {
 namespace {
 
 constexpr int kMaxNewtonSteps = 16;
+constexpr Real kLargestExcess = Real(0.1);  // of the momentum, of a body on joints
 constexpr Real kLargestHalfTurn2 =
     1;  // square of h |W| / 2 above which nothing is scaled: tan has a pole ahead
 
@@ -86,25 +91,34 @@ bool cap_spin(const Body& body, Vec3& w)
     return true;
 }
 
+// With ODE's gyroscopic torque.
+Vec3 turned_by_torque(const Body& body, Vec3 w, Vec3 torque, Real h)
+{
+    const Mat3 R = body.rotation();
+    const Vec3 all = torque + gyroscopic_torque(body, w, h);
+    return w + h * (R * (body.inv_inertia * transposed_times(R, all)));
+}
+
 }  // namespace
 
 Vec3 kicked_spin(Body& body, Vec3 torque, Vec3 w, Real h)
 {
-    const Vec3 excess = body.spin_excess;
+    const Vec3 before = body.spin_excess;
     body.spin_excess = {};
     if (body.kinematic()) return w;
     const Mat3 R = body.rotation();
     if (!body.gyroscopic || isotropic(body.inertia))
         return w + h * (R * (body.inv_inertia * transposed_times(R, torque)));
 
-    const Vec3 l = body.inertia * transposed_times(R, w) + excess + h * transposed_times(R, torque);
+    const Vec3 l = body.inertia * transposed_times(R, w) + before + h * transposed_times(R, torque);
     Vec3 W;
     if (!solve_middle(body.inertia, body.inv_inertia, l, h, true, W) &&
-        !solve_middle(body.inertia, body.inv_inertia, l, h, false, W)) {
-        const Vec3 all = torque + gyroscopic_torque(body, w, h);
-        return w + h * (R * (body.inv_inertia * transposed_times(R, all)));
-    }
-    body.spin_excess = l - body.inertia * W;
+        !solve_middle(body.inertia, body.inv_inertia, l, h, false, W))
+        return turned_by_torque(body, w, torque, h);
+    const Vec3 excess = l - body.inertia * W;
+    if (body.lasting && length2(excess) > kLargestExcess * kLargestExcess * length2(l))
+        return turned_by_torque(body, R * (body.inv_inertia * l), {}, h);
+    body.spin_excess = excess;
     return R * W;
 }
 

@@ -31,6 +31,15 @@ int with_exact_joints(dWorldID world, dReal h)
     return dWorldStepHybrid(world, h);
 }
 
+int with_exact_rotation(dWorldID world, dReal h)
+{
+    if (!dWorldGetExactRotation(world)) dWorldSetExactRotation(world, 1);
+    return dWorldStep(world, h);
+}
+
+// In which the bars of such a tree turn by up to a radian and more.
+int with_exact_rotation_at_60(dWorldID world, dReal) { return with_exact_rotation(world, real(1 / 60.0)); }
+
 template <int kCount>
 int in_substeps(dWorldID world, dReal h)
 {
@@ -189,6 +198,8 @@ std::string name_of_way(const testing::TestParamInfo<Way>& way) { return way.par
 
 INSTANTIATE_TEST_SUITE_P(Ways, RandomTrees,
                          testing::Values(Way{"exact", dWorldStep, 0},
+                                         Way{"exact_rotation", with_exact_rotation, 0},
+                                         Way{"exact_rotation_at_60", with_exact_rotation_at_60, 0},
                                          Way{"exact_joints", with_exact_joints, 0},
                                          Way{"quick", dWorldQuickStep, 5},
                                          Way{"substeps4", in_substeps<4>, 1 + kSingle, 200},
