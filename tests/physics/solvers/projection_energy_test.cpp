@@ -216,5 +216,22 @@ TEST_F(Swing, joints_exert_what_feedback_says)
     EXPECT_LT(worst, tol(1e-12, 1e-4));
 }
 
+// Where a step ends the velocities are those that joints allow there, and not those of its beginning turned on by w h / 2.
+TEST_F(Swing, joints_hold_velocities_where_the_step_ends)
+{
+    chain(3, 1);
+    double worst = 0, fastest = 0;
+    for (int i = 0; i < 400; ++i) {
+        sim.advance(kH);
+        dVector3 anchor, gap;
+        dJointGetBallAnchor(hook, anchor);
+        dBodyGetPointVel(sim.bodies[0], anchor[0], anchor[1], anchor[2], gap);
+        worst = std::max(worst, length(vec(gap)));
+        fastest = std::max(fastest, length(velocity(sim.bodies[2])));
+    }
+    EXPECT_GT(fastest, 3);
+    EXPECT_LT(worst, tol(1e-4, 0.02));
+}
+
 }  // namespace
 }  // namespace epode::physics

@@ -5,6 +5,7 @@
 #include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
 #include "joints/drive_rows.h"
+#include "rows/policy.h"
 #include "solve/exact/equalities.h"
 #include "solve/solver.h"
 #include "step/island/positions/position_rows.h"
@@ -65,6 +66,7 @@ class Shake {
             if (!(merit_ < kGain * merit)) return go_on(-1), changed;
             changed = true;
         }
+        if (changed) hold_velocities();
         return changed;
     }
 
@@ -160,6 +162,18 @@ class Shake {
     void measure()
     {
         worst_ = merit_ = 0;
+        for (Closed& row : closed_) row.excess = 0;
+        for_closed([&](Closed& row, const Row& now) {
+            row.excess = now.error - row.expected;
+            const Real e = std::fabs(row.excess) * row.per_arm;
+            worst_ = std::max(worst_, e), merit_ += e * e;
+        });
+    }
+
+    // f(closed, the row as its joint has it at the present poses).
+    template <typename F>
+    void for_closed(F&& f)
+    {
         Row now[kMaxBlockRows];
         std::size_t emitted = work_.system.blocks.size();
         int count = 0;
@@ -169,9 +183,7 @@ class Shake {
                 emit_joint(*work_.joints[row.block], out);
                 emitted = row.block, count = out.count();
             }
-            row.excess = row.place < count ? now[row.place].error - row.expected : 0;
-            const Real e = std::fabs(row.excess) * row.per_arm;
-            worst_ = std::max(worst_, e), merit_ += e * e;
+            if (row.place < count) f(row, now[row.place]);
         }
     }
 
@@ -184,12 +196,46 @@ class Shake {
         }
         for (RowNumbers& n : system_.numbers) n.c = n.p = 0;
         for (const Closed& row : closed_) system_.numbers[std::size_t(row.row)].c = row.excess / system_.h;
+        return solve();
+    }
+
+    bool solve()
+    {
         if (system_.rows.size() > kFewRows) return solve_equalities(system_, &symbolic_cache_, arena_);
         SolverSettings settings;
         settings.tasks = tasks_;
         settings.symbolic_cache = &symbolic_cache_;
         SolveReport report;
         return kDirect.solve(system_, settings, arena_, report);
+    }
+
+    // J(x') v = what the rows want, at the poses that have been reached.
+    void hold_velocities()
+    {
+        Arena::Scope scope(arena_);
+        const auto seen = arena_.take<SolverBody>(int(system_.bodies.size()));
+        if (arena_.failed()) return;
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            const Body& b = body(i);
+            SolverBody& s = system_.bodies[i];
+            s = seen[i] = work_.system.bodies[i];
+            s.v = s.w = {};
+            if (b.kinematic()) continue;
+            s.inertia = rotate(b.rotation(), b.inertia), s.inv_inertia = rotate(b.rotation(), b.inv_inertia);
+            seen[i].w += Real(0.5) * (b.rotation() * (b.inv_inertia * b.spin_excess));
+        }
+        // Rows have their Jacobians of the end, which arms and forms of the beginning do not describe.
+        for (RowBlock& block : system_.blocks) block.form = RowForm::kFree, block.point = false;
+        for (RowNumbers& n : system_.numbers) n.c = n.p = 0;
+        for_closed([&](Closed& closed, const Row& now) {
+            const RowBlock& block = work_.system.blocks[closed.block];
+            if (block.term_count > 0) return;
+            Row& row = system_.rows[std::size_t(closed.row)];
+            static_cast<Jacobian&>(row) = now;
+            system_.numbers[std::size_t(closed.row)].c =
+                wanted_velocity(row, 0) - row_velocity(work_.system, block, row, seen);
+        });
+        if (solve()) apply(1);
     }
 
     void apply(Real sign)

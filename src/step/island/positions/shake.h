@@ -11,6 +11,9 @@
 //   v = v* + M^-1 J(x)^T p,    e(x moved by v for h) = e(x) - h J v   for what holds a joint
 //
 // The map from x, v to the next ones is symplectic then, as semi-implicit Euler is without joints, and energy does not drift.
+// Where the step ends, the velocities are those that the joints allow there (RATTLE, Andersen, J. Comp. Phys. 52, 1983): the next step
+// would take what they have too much, and until then it is kinetic energy that is none, and its impulse is missing in the feedback.
+// A spin under exact rotation is that of the middle of the step (dynamics/exact_spin.cpp); joints see it with half of what it lacks.
 // Errors that are there when the step begins are left to ERP and to the projection: closed at once, they would throw the bodies.
 // Newton's method with the matrix of the beginning, e' being what an error has more than it should:
 //
