@@ -34,6 +34,7 @@
 #include "joints/drive_rows.h"
 #include "rows/policy.h"
 #include "solve/exact/equalities.h"
+#include "step/island/positions/free_momentum.h"
 #include "step/island/positions/position_rows.h"
 #include "step/island/positions/tension.h"
 
@@ -344,7 +345,10 @@ ProjectionReport project_poses(const World& world, const IslandWork& work, const
     Arena::Scope scope(arena);
     Projection projection(world, work, symbolic_cache, arena);
     if (!projection.prepare()) return {};
-    return projection.run(tasks);
+    const FreeMomentum momentum(work);
+    const ProjectionReport report = projection.run(tasks);
+    if (report.iterations > 0) momentum.restore();
+    return report;
 }
 
 }  // namespace epode
