@@ -1,7 +1,7 @@
-// SPDX-License-Identifier: BSD-3-Clause
-// Copyright (c) 2026 The Epode authors
-//
-// Batches: many copies of one robot, stepped side by side in the lanes of the machine's registers. docs/guide/batches.md says more.
+/* SPDX-License-Identifier: BSD-3-Clause
+ * Copyright (c) 2026 The Epode authors
+ *
+ * Batches: many copies of one robot, stepped side by side in the lanes of the machine's registers. docs/guide/batches.md says more. */
 #ifndef _EPODE_BATCH_H_
 #define _EPODE_BATCH_H_
 
