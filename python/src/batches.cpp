@@ -159,7 +159,7 @@ void step(BoundBatch& b, int steps)
     for (int done = 0; done == 0 || done < steps; done += chunk) {
         bool good;
         {
-            nb::gil_scoped_release others;
+            const WithoutGil released;
             good = b.its().step(std::min(chunk, steps - done));
         }
         if (!good) throw nb::value_error(kFinite);

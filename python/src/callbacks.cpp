@@ -13,7 +13,7 @@ namespace {
 template <typename F>
 void guarded(F f)
 {
-    nb::gil_scoped_acquire lock;
+    const WithGil lock;
     if (exception_waits()) return;
     try {
         f();

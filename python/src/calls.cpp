@@ -273,7 +273,7 @@ Released::Released(const dWorldID* worlds, size_t count) : worlds_(worlds), coun
 }
 Released::~Released()
 {
-    PyEval_RestoreThread(state_);
+    or_wait_for_the_end([this] { PyEval_RestoreThread(state_); });
     std::lock_guard lock(mutex);
     for (size_t i = 0; i < count_; ++i) {
         auto it = std::find_if(busy.begin(), busy.end(), [&](const Busy& one) {

@@ -19,6 +19,8 @@
 #include <ode/ext.h>
 #include <ode/ode.h>
 
+#include "gil.h"
+
 namespace nb = nanobind;
 using namespace nb::literals;
 

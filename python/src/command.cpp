@@ -17,7 +17,7 @@ void bind_command(nb::module_& m)
         std::vector<char*> pointers;
         for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
         pointers.push_back(nullptr);
-        nb::gil_scoped_release released;
+        const WithoutGil released;
         return epode::cli::run_command(int(words.size()), pointers.data());
     });
 #else

@@ -48,7 +48,7 @@ nb::object decompose_mesh(nb::object vertices, nb::object triangles, double tole
     std::string problem;
     bool done;
     {
-        nb::gil_scoped_release without;
+        const WithoutGil released;
         done = decompose(mesh, {tolerance, max_parts, unsigned(max_vertices)}, out, problem);
     }
     Call call;

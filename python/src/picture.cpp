@@ -99,7 +99,7 @@ nb::bytes picture_of(const record::Recording& recording, size_t state, int width
     std::vector<std::uint8_t> pixels;
     bool drawn = false;
     {
-        nb::gil_scoped_release released;
+        const WithoutGil released;
         viewer::Headless context;
         const bool open = context.open(problem);
         viewer::Renderer renderer;

@@ -3,6 +3,8 @@
 """Batches as a user has them: arrays that live, refusals that change nothing, the same bits on any threads."""
 import os
 import pickle
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -128,3 +130,12 @@ def test_a_fork_has_no_batch(model):
             os._exit(7)
         os._exit(0)
     assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 7
+
+
+def test_the_interpreter_ends_while_batches_step():
+    code = (f"import epode, threading, time\nmodel = epode.robot.from_text({WALKER!r})\n"
+            "def go():\n    batch = epode.Batch(model, 1000, threads=2)\n    while True: batch.step(1)\n"
+            "threading.Thread(target=go, daemon=True).start()\ntime.sleep(0.3)")
+    for _ in range(5):
+        result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+        assert result.returncode == 0, result.stderr

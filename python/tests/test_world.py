@@ -391,6 +391,17 @@ def test_the_interpreter_ends_with_worlds_alive():
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60).returncode == 0
 
 
+def test_the_interpreter_ends_while_a_thread_steps():
+    # It ended with SIGABRT: the thread asks for a lock that it never gets (python/src/gil.h).
+    code = ("import epode, threading, time\nw = epode.World(threads=2)\nw.plane()\n"
+            "for i in range(20): w.body(mass=1, position=(0, 0, 1 + i), shape=epode.Sphere(0.3)).on_move(lambda b: None)\n"
+            "def go():\n    while True: w.step(0.01, stepper='quick')\n"
+            "threading.Thread(target=go, daemon=True).start()\ntime.sleep(0.3)")
+    for _ in range(5):
+        result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+        assert result.returncode == 0, result.stderr
+
+
 def test_a_forked_process_goes_on_with_its_copy():
     code = ("import epode, os\nw = epode.World(threads=2)\nw.plane()\n"
             "for i in range(50): w.body(mass=1, position=(0, 0, 1 + i), shape=epode.Sphere(0.3))\n"
