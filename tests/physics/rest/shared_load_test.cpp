@@ -14,8 +14,8 @@ const char* const kPresets[] = {"ode", "game", "robot"};
 int quick(dWorldID world, dReal h) { return dWorldQuickStep(world, h); }
 int (*const kWays[])(dWorldID, dReal) = {dWorldStep, dWorldStepHybrid, quick};
 
-struct Scene : Sim {
-    explicit Scene(int preset)
+struct Floored : Sim {
+    explicit Floored(int preset)
     {
         dWorldUseDefaults(world, preset);
         dWorldSetAutoDisableFlag(world, 0);
@@ -34,9 +34,9 @@ struct Scene : Sim {
 };
 
 // Two casters of 4 cm without friction, two driven wheels of 10 cm, all on the ground at first.
-class Robot : public Scene {
+class Robot : public Floored {
   public:
-    explicit Robot(int preset) : Scene(preset)
+    explicit Robot(int preset) : Floored(preset)
     {
         base_ = box({0, 0, 0.13}, {0.4, 0.3, 0.1}, 8);
         for (double x : {-0.17, 0.17}) set_material(foot(base_, {x, 0, -0.09}, 0.04), 0);
@@ -81,7 +81,7 @@ TEST_P(SharedLoad, gives_wheels_next_to_casters_traction)
 TEST_P(SharedLoad, is_carried_by_all_feet)
 {
     constexpr double kMass = 8;
-    Scene scene(GetParam());
+    Floored scene(GetParam());
     const dBodyID plate = scene.box({0, 0, 0.1}, {0.4, 0.4, 0.02}, kMass);
     for (double x : {-0.17, 0.17}) scene.foot(plate, {x, 0, -0.06}, 0.04);
     for (double y : {-0.17, 0.17}) scene.foot(plate, {0, y, -0.01}, 0.09);
