@@ -4,6 +4,7 @@
 // The pose of a geom in its body's frame, (p_o, R_o): the geom is at p_b + R_b p_o, turned by R_b R_o.
 #include "base/objects/structure_edition.h"
 #include "collide/types/registry.h"
+#include "math/rotation.h"
 #include "step/common/link.h"
 
 using namespace epode;
@@ -60,8 +61,10 @@ void dGeomSetOffsetRotation(dGeomID id, const dMatrix3 R)
 {
     OFFSET_GEOM(geom, id);
     EPODE_USER(usable_matrix(R));
+    Mat3 clean = load_mat(R);
+    EPODE_USER(make_rotation(clean));
     OFFSET_READY(geom);
-    set_offset_rotation(*geom, load_mat(R));
+    set_offset_rotation(*geom, clean);
 }
 
 void dGeomSetOffsetQuaternion(dGeomID id, const dQuaternion q)
@@ -86,8 +89,10 @@ void dGeomSetOffsetWorldRotation(dGeomID id, const dMatrix3 R)
 {
     OFFSET_GEOM(geom, id);
     EPODE_USER(usable_matrix(R));
+    Mat3 clean = load_mat(R);
+    EPODE_USER(make_rotation(clean));
     OFFSET_READY(geom);
-    set_world_rotation(*geom, load_mat(R));
+    set_world_rotation(*geom, clean);
 }
 
 void dGeomSetOffsetWorldQuaternion(dGeomID id, const dQuaternion q)

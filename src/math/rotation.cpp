@@ -6,6 +6,9 @@
 // The polar decomposition would be the nearest rotation in the Frobenius norm; ODE promises the rows.
 #include "math/rotation.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "math/trig.h"
 
 namespace epode {
@@ -64,6 +67,16 @@ bool orthonormalize(Mat3& R)
     if (!orthonormal_pair(a, b)) return false;
     R = {a, b, cross(a, b)};
     return true;
+}
+
+bool make_rotation(Mat3& R)
+{
+    constexpr Real kTolerance = kSingle ? Real(1e-5) : Real(1e-6);
+    const Mat3 product = R * transpose(R);
+    Real error = 0;
+    for (int row = 0; row < 3; ++row)
+        for (int k = 0; k < 3; ++k) error = std::max(error, std::fabs(product.row(row)[k] - Real(row == k)));
+    return (error < kTolerance && dot(cross(R.row0, R.row1), R.row2) > 0) || orthonormalize(R);
 }
 
 Quat rate_of(Quat q, Vec3 w)

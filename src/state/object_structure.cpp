@@ -6,6 +6,7 @@
 #include "collide/space.h"
 #include "collide/transform.h"
 #include "contacts/material.h"
+#include "math/rotation.h"
 #include "ode/shapes.h"
 #include "step/hybrid.h"
 #include "step/step.h"
@@ -105,6 +106,10 @@ void structure_of_pose(Real* position, Real* rotation, StructureStream& stream)
 {
     stream.reals(position, 3);
     for (int row = 0; row < 3; ++row) stream.reals(rotation + 4 * row, 3);
+    if (stream.saves()) return;
+    Mat3 R = load_mat(rotation);
+    if (stream.demand(make_rotation(R), "a geom in it is turned by a matrix that is no rotation"))
+        store_mat(rotation, R);
 }
 
 void structure_of_geom(Geom& geom, StructureStream& stream)

@@ -108,7 +108,9 @@ bool set_geom_rotation(Geom& geom, const Mat3& R)
 {
     Body* body = body_of(geom);
     if (!body) return set_geom_pose(geom, {load(geom.own_position), R});
-    Mat3 target = geom.offset ? R * transpose(load_mat(geom.offset->rotation)) : R;
+    Mat3 given = R;
+    if (geom.offset && !make_rotation(given)) return false;
+    Mat3 target = geom.offset ? given * transpose(load_mat(geom.offset->rotation)) : R;
     if (!orthonormalize(target)) return false;
     const Vec3 position = pose_of(geom).p;
     Quat q = to_quat(target);
@@ -125,9 +127,11 @@ bool set_geom_pose(Geom& geom, const Pose& pose)
         set_geom_position(geom, pose.p);
         return true;
     }
-    const bool elsewhere = pose.p != load(geom.own_position) || pose.R != load_mat(geom.own_rotation);
+    Mat3 R = pose.R;
+    if (!make_rotation(R)) return false;
+    const bool elsewhere = pose.p != load(geom.own_position) || R != load_mat(geom.own_rotation);
     store(geom.own_position, pose.p);
-    store_mat(geom.own_rotation, pose.R);
+    store_mat(geom.own_rotation, R);
     mark_placed(geom, elsewhere);
     return true;
 }

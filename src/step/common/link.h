@@ -50,8 +50,8 @@ void release_geoms(Body& body);
 // Whether a geom of the body lies in a space that is being collided, so that the body must not be moved.
 bool in_locked_space(const Body& body);
 
-// Moves the geom, or its body so that the geom gets there; the other half of the geom's pose stays. A geom of
-// its own takes any matrix as it is; a body only what can be made a rotation (false: nothing has changed).
+// Moves the geom, or its body so that the geom gets there; the other half of the geom's pose stays. A matrix that is
+// no rotation is made one, if it can be (false: nothing has changed).
 void set_geom_position(Geom& geom, Vec3 position);
 bool set_geom_rotation(Geom& geom, const Mat3& R);
 bool set_geom_pose(Geom& geom, const Pose& pose);  // both
