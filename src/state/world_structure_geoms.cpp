@@ -49,6 +49,9 @@ bool WorldStructure::gather_geom(Geom& geom)
 {
     if (stream_.failed()) return false;
     if (stream_.find(geom) >= 0) return true;
+    const Body* const body = body_of(geom);
+    if (!stream_.demand(!body || body->world == world_, "a geom in its space is on a body of another world"))
+        return false;
     if (!geom.type->structure) {
         stream_.fail("a geom is of class %d, which the program has made: it cannot be copied",
                      geom.type->number);

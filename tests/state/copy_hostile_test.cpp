@@ -92,6 +92,26 @@ TEST(WorldFileRefusals, during_a_step)
     EXPECT_EQ(Messages::count(), 4);
 }
 
+TEST(WorldFileRefusals, a_body_of_another_world)
+{
+    const Messages messages;
+    const Scene scene({.piles = 1});
+    const dWorldID other = dWorldCreate();
+    const dGeomID stranger = dCreateSphere(scene.space, 1);
+    dGeomSetBody(stranger, dBodyCreate(other));
+    dSpaceID space = scene.space;
+    EXPECT_EQ(dWorldSaveToBuffer(scene.world, scene.space, nullptr, 0), 0u);
+    EXPECT_NE(Messages::last().find("on a body of another world"), std::string::npos) << Messages::last();
+    EXPECT_EQ(dWorldSave(scene.world, scene.space, "never"), 0);
+    EXPECT_EQ(dWorldClone(scene.world, &space, nullptr, 0), nullptr);
+    EXPECT_EQ(dWorldCountHandles(scene.world, scene.space), 0);
+    EXPECT_EQ(Messages::count(), 4);
+    EXPECT_NE(Messages::last().find("on a body of another world"), std::string::npos) << Messages::last();
+    dGeomDestroy(stranger);
+    EXPECT_FALSE(file_of(scene.world, scene.space).empty());
+    dWorldDestroy(other);
+}
+
 void destroy(dWorldID world, dSpaceID space)
 {
     const Running running{world, space, dJointGroupCreate(0), Stepper::kSubsteps, true};
