@@ -28,7 +28,8 @@ extern "C" {
 typedef void dMessageFunction(int errnum, const char* msg, va_list ap);
 
 /** Handlers are process-wide; install them before other threads use the library. A handler may leave by
-    longjmp or by a C++ exception. NULL brings the default back, which prints to the standard error stream.
+    longjmp or by a C++ exception, also inside callbacks (docs/errors.md says what then becomes of the call around it;
+    inside functions for memory or threads it must return). NULL brings the default back, which prints to the standard error stream.
     - dSetErrorHandler: Install the handler fn, which dError calls.
     - dSetDebugHandler: Install the handler fn, which dDebug calls.
     - dSetMessageHandler: Install the handler fn, which dMessage calls. [0.16] */

@@ -59,7 +59,7 @@ void dWorldSetBehaviour(dWorldID w, int version)
     World* const world = from_handle<World>(w);
     EPODE_USER(world);
     EPODE_USER_SAY(is_version(version), "a version that is no dBehaviour");
-    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step");
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world));
     world->behaviour = version;
 }
 

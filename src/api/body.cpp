@@ -47,7 +47,7 @@ dBodyID dBodyCreate(dWorldID w)
 void dBodyDestroy(dBodyID b)
 {
     BODY_OR();
-    EPODE_USER_SAY(!body->world->stepping, "Invalid operation during a step");
+    EPODE_USER_SAY(!is_busy(*body->world), busy_text(*body->world));
     if (keep_for_history(*body)) return;
     release_geoms(*body);
     destroy_body(*body);

@@ -26,7 +26,7 @@ extern "C" {
 void dWorldSetContactSpace(dWorldID w, dSpaceID s)
 {
     EPODE_WORLD_OR();
-    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step");
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world));
     EPODE_USER_SAY(!s || space_from(s), "argument not a space");
     StepState* state = step_state(*world);
     EPODE_USER_SAY(state, "out of memory");
@@ -47,7 +47,7 @@ dSpaceID dWorldGetContactSpace(dWorldID w)
 void dWorldSetContactFilter(dWorldID w, dContactFilter* filter, void* data)
 {
     EPODE_WORLD_OR();
-    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step");
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world));
     StepState* state = step_state(*world);
     EPODE_USER_SAY(state, "out of memory");
     state->world_contacts.filter = filter;

@@ -128,7 +128,7 @@ int dWorldUseDefaults(dWorldID w, int preset)
     const World* const world = from_handle<World>(w);
     EPODE_USER(world, 0);
     EPODE_USER_SAY(is_preset(preset), "a preset that is no dDefaults", 0);
-    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world), 0);
     for (const Parameter& parameter : kParameters) parameter.set(w, parameter.values[preset]);
     return 1;
 }

@@ -18,7 +18,7 @@ void dWorldSetDiagnosisMode(dWorldID w, int mode)
 {
     World* const world = from_handle<World>(w);
     EPODE_USER(world && (mode == 0 || mode == 1));
-    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step");
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world));
     EPODE_USER_SAY(set_diagnosis(*world, mode != 0), kOutOfMemory);
 }
 
@@ -33,7 +33,7 @@ int dWorldDiagnose(dWorldID w, dDiagnosis* causes, int capacity)
 {
     const World* const world = from_handle<World>(w);
     EPODE_USER(world && capacity >= 0 && (causes || capacity == 0), 0);
-    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world), 0);
     const Findings* const findings = findings_of(*world);
     return findings ? findings->ranked(causes, capacity) : 0;
 }

@@ -88,7 +88,7 @@ OwnSoftness* own_softness(Joint& joint)
 int set_spring(Joint& joint, Spring& spring, Real stiffness, Real damping, const char* caller)
 {
     if (!demand(usable(stiffness) && stiffness >= 0 && usable(damping) && damping >= 0, caller)) return 0;
-    if (stepping(joint)) return refuse_for(caller, "Invalid operation during a step"), 0;
+    if (is_busy(joint)) return refuse_for(caller, busy_text(*joint.world)), 0;
     // Steps look for rows in physical units where there are JointDrives.
     if (!take_drives(static_cast<LastingJoint&>(joint))) return refuse_for(caller, kOutOfMemory), 0;
     spring.drive.stiffness = stiffness, spring.drive.damping = damping;
@@ -146,7 +146,7 @@ int dJointSetAxisContinuous(dJointID j, int axis, int mode)
 {
     AXIS_OR(0);
     EPODE_USER_SAY(mode == 0 || mode == 1, "the mode must be 0 or 1", 0);
-    EPODE_USER_SAY(!stepping(*joint), "Invalid operation during a step", 0);
+    EPODE_USER_SAY(!is_busy(*joint), busy_text(*joint->world), 0);
     set_continuous(*joint, axis, mode == 1);
     return 1;
 }
@@ -161,7 +161,7 @@ int dJointSetAxisTurn(dJointID j, int axis, dReal position)
 {
     AXIS_OR(0);
     EPODE_USER_SAY(usable(position), "the position must be finite", 0);
-    EPODE_USER_SAY(!stepping(*joint), "Invalid operation during a step", 0);
+    EPODE_USER_SAY(!is_busy(*joint), busy_text(*joint->world), 0);
     const auto read = [&] { return has_coordinates(*joint) ? axis_position(*joint, axis) : 0; };
     change_value(*joint, read, [&] {
         joint->type->count_turns(*joint, axis, joint->type->continuous(*joint, axis), position);
@@ -186,7 +186,7 @@ int dJointSetDrive(dJointID j, int axis, const dDrive* drive)
     }
     const Fault fault(whole);
     EPODE_USER_SAY(!*fault.text, fault.text, 0);
-    EPODE_USER_SAY(!stepping(*joint), "Invalid operation during a step", 0);
+    EPODE_USER_SAY(!is_busy(*joint), busy_text(*joint->world), 0);
     AxisDrive* const to = take_axis_drive(*joint, axis);
     EPODE_USER_SAY(to, kOutOfMemory, 0);
     if (to->driven != (drive != nullptr) || !same(to->drive, whole)) wake_bodies(*joint);
@@ -262,7 +262,7 @@ int dJointSetBreakLimits(dJointID j, dReal force, dReal torque)
     const auto limit = [](Real x) { return usable_or_infinite(x) && x >= 0; };
     EPODE_USER_SAY(limit(force) && limit(torque), "limits must be 0 or more, or dInfinity", 0);
     EPODE_USER_SAY(!is_contact(*joint), "contact joints do not break", 0);
-    EPODE_USER_SAY(!stepping(*joint), "Invalid operation during a step", 0);
+    EPODE_USER_SAY(!is_busy(*joint), busy_text(*joint->world), 0);
     JointDrives* const drives = take_drives(static_cast<LastingJoint&>(*joint));
     EPODE_USER_SAY(drives, kOutOfMemory, 0);
     drives->limits.force = force > 0 ? force : kInf;

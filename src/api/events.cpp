@@ -63,7 +63,7 @@ int dEventSettingsInit(dEventSettings* settings, unsigned struct_size)
 int dWorldSetEventSettings(dWorldID w, const dEventSettings* settings)
 {
     EPODE_WORLD_OR(0);
-    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world), 0);
     dEventSettings whole = kDefaultEventSettings;
     whole.kinds = 0;
     if (settings) {

@@ -120,7 +120,7 @@ extern "C" void dWorldExportDIF(dWorldID w, FILE* file, const char* world_name)
 {
     World* const world = from_handle<World>(w);
     EPODE_USER(world && file);
-    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step");
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world));
     DifWriter out(file, world_name ? world_name : "");
     out.comment("Dynamics Interchange Format v0.1");
     write_world(out, *world);

@@ -20,12 +20,12 @@ using namespace epode;
 namespace {
 
 // As a rule no world is in a step, and the joints, which may be many, need not be looked at.
-bool stepping(const JointGroup& group)
+bool is_busy(const JointGroup& group)
 {
-    if (!any_world_steps()) return false;
+    if (!any_world_busy()) return false;
     bool any = false;
     for_each_prefetched<1>(group.joints.span(),
-                           [&](std::size_t, const Joint& joint) { any = any || stepping(joint); });
+                           [&](std::size_t, const Joint& joint) { any = any || epode::is_busy(joint); });
     return any;
 }
 
@@ -60,7 +60,7 @@ extern "C" {
 void dJointDestroy(dJointID j)
 {
     JOINT_OR();
-    EPODE_USER_SAY(!stepping(*joint), "Invalid operation during a step");
+    EPODE_USER_SAY(!is_busy(*joint), busy_text(*joint->world));
     // The group owns it; clients of ODE call this on grouped joints without harm.
     if (!joint->grouped && !keep_for_history(*joint, nullptr)) destroy_joint(*joint);
 }
@@ -75,7 +75,7 @@ dJointGroupID dJointGroupCreate(int)
 void dJointGroupDestroy(dJointGroupID g)
 {
     GROUP_OR();
-    EPODE_USER_SAY(!stepping(*group), "Invalid operation during a step");
+    EPODE_USER_SAY(!is_busy(*group), "Invalid operation during a step");
     destroy_joints(*group);
     Pool<JointGroup>::destroy(group);
 }
@@ -83,7 +83,7 @@ void dJointGroupDestroy(dJointGroupID g)
 void dJointGroupEmpty(dJointGroupID g)
 {
     GROUP_OR();
-    EPODE_USER_SAY(!stepping(*group), "Invalid operation during a step");
+    EPODE_USER_SAY(!is_busy(*group), "Invalid operation during a step");
     destroy_joints(*group);
 }
 
@@ -93,7 +93,7 @@ void dJointAttach(dJointID j, dBodyID b1, dBodyID b2)
     Body* const a = from_handle<Body>(b1);
     Body* const b = from_handle<Body>(b2);
     EPODE_USER((a || !b1) && (b || !b2));
-    EPODE_USER_SAY(!stepping(*joint), "Invalid operation during a step");
+    EPODE_USER_SAY(!is_busy(*joint), busy_text(*joint->world));
     EPODE_USER_SAY(!is_coupling(*joint), "a coupling has no bodies of its own");
     EPODE_USER_SAY(!a || a != b, "can't have body1==body2");
     EPODE_USER_SAY((!a || a->world == joint->world) && (!b || b->world == joint->world),

@@ -33,7 +33,7 @@ int dWorldSetEnergyLedgerMode(dWorldID w, int mode)
 {
     EPODE_WORLD_OR(0);
     EPODE_USER(mode == 0 || mode == 1, 0);
-    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world), 0);
     StepState* const state = step_state(*world);
     EPODE_USER_SAY(state, kOutOfMemory, 0);
     if (mode && !state->ledger_wanted) state->ledger_made = false;

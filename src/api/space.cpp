@@ -74,7 +74,7 @@ void dSpaceRemove(dSpaceID id, dGeomID geom_id)
 {
     EPODE_SPACE(space, id);
     EPODE_GEOM(geom, geom_id);
-    EPODE_USER_SAY(space->locks == 0, EPODE_LOCKED_TEXT);
+    EPODE_USER_SAY(!is_locked(*space), EPODE_LOCKED_TEXT);
     EPODE_USER_SAY(geom->space == space, "object is not in this space");
     remove_geom(*space, *geom);
 }

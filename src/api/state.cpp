@@ -29,7 +29,7 @@ constexpr int kMaxHistory = 100000;  // frames
 #define IDLE_WORLD_OR(result)                   \
     World* const world = from_handle<World>(w); \
     EPODE_USER(world, result);                  \
-    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", result)
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world), result)
 
 // The lists of the world that a state is saved with.
 #define STATE_OR(result)                              \

@@ -15,8 +15,6 @@ using namespace epode;
 
 namespace {
 
-constexpr const char* kInStep = "Invalid operation during a step";
-
 // `change` on the supply of the world's memory. Going back to a default needs no memory to be made. False:
 // out of memory.
 template <typename Change>
@@ -38,7 +36,7 @@ extern "C" int dWorldUseSharedWorkingMemory(dWorldID w, dWorldID from_world)
     World* const world = from_handle<World>(w);
     World* const from = from_handle<World>(from_world);
     EPODE_USER(world && (from || !from_world) && world != from, 0);
-    EPODE_USER_SAY(!in_step(*world), kInStep, 0);
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world), 0);
     EPODE_USER_SAY(!from || !world->memory, "world does already have working memory allocated", 0);
     StepMemory* const memory = from ? working_memory(*from) : nullptr;
     EPODE_USER_SAY(!from || memory, kOutOfMemory, 0);
@@ -51,7 +49,7 @@ extern "C" void dWorldCleanupWorkingMemory(dWorldID w)
 {
     World* const world = from_handle<World>(w);
     EPODE_USER(world);
-    EPODE_USER_SAY(!in_step(*world), kInStep);
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world));
     free_working_memory(*world);
 }
 
@@ -63,7 +61,7 @@ extern "C" int dWorldSetStepMemoryReservationPolicy(dWorldID w, const dWorldStep
         !policyinfo || (policyinfo->struct_size >= sizeof *policyinfo && policyinfo->reserve_factor >= 1 &&
                         std::isfinite(policyinfo->reserve_factor)),
         "Bad policy info", 0);
-    EPODE_USER_SAY(!in_step(*world), kInStep, 0);
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world), 0);
     const bool set = change_supply(*world, !policyinfo, [policyinfo](ArenaSupply& supply) {
         const ArenaSupply standard;
         supply.factor = policyinfo ? double(policyinfo->reserve_factor) : standard.factor;
@@ -80,7 +78,7 @@ extern "C" int dWorldSetStepMemoryManager(dWorldID w, const dWorldStepMemoryFunc
     EPODE_USER_SAY(!memfuncs || (memfuncs->struct_size >= sizeof *memfuncs && memfuncs->alloc_block &&
                                  memfuncs->free_block),
                    "Bad memory functions info", 0);
-    EPODE_USER_SAY(!in_step(*world), kInStep, 0);
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world), 0);
     const bool set = change_supply(*world, !memfuncs, [memfuncs](ArenaSupply& supply) {
         supply.alloc = memfuncs ? memfuncs->alloc_block : nullptr;
         supply.free = memfuncs ? memfuncs->free_block : nullptr;

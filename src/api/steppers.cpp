@@ -24,7 +24,7 @@ int dWorldStepHybrid(dWorldID w, dReal stepsize)
 {
     World* const world = from_handle<World>(w);
     EPODE_USER(world && usable(stepsize) && stepsize > 0, 0);
-    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world), 0);
     EPODE_USER_SAY(step_world_hybrid(*world, stepsize), kOutOfMemory, 0);
     report_runaways(*world);
     return 1;
@@ -38,21 +38,23 @@ int dWorldsStep(const dWorldID* worlds, int count, dReal stepsize, int stepper, 
     EPODE_USER(!solver || !solver->substeps || (iterations >= 1 && iterations <= kMaxSubsteps), 0);
     EPODE_USER(count >= 0 && (worlds || count == 0) && threads >= 0 && threads <= kMaxThreads, 0);
     for (int i = 0; i < count; ++i) {
-        const World* world = from_handle<World>(worlds[i]);
+        World* const world = from_handle<World>(worlds[i]);
         EPODE_USER(world, 0);
-        EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
+        EPODE_USER_SAY(!in_step(*world), busy_text(*world), 0);
     }
     int whole = 0;
+    const char* wrong =
+        nullptr;  // for when the worlds are no longer marked: a message handler may not return
     {
         WorldBatch batch;
-        for (int i = 0; i < count; ++i) {
+        for (int i = 0; i < count && !wrong; ++i) {
             World& world = *from_handle<World>(worlds[i]);
-            EPODE_USER_SAY(!world.stepping, "a world twice", 0);
-            EPODE_USER_SAY(batch.add(world), kOutOfMemory, 0);
+            wrong = world.busy != Busy::kNo ? "a world twice" : batch.add(world) ? nullptr : kOutOfMemory;
         }
-        EPODE_USER_SAY(batch.prepare(threads), kOutOfMemory, 0);
-        whole = batch.run({solver, stepsize, iterations}, steps, steps_made);
+        if (!wrong && !batch.prepare(threads)) wrong = kOutOfMemory;
+        if (!wrong) whole = batch.run({solver, stepsize, iterations}, steps, steps_made);
     }
+    EPODE_USER_SAY(!wrong, wrong, 0);
     EPODE_USER_SAY(whole == count, kOutOfMemory, whole);
     for (int i = 0; i < count; ++i)  // an earlier message's handler may have destroyed it
         if (World* world = from_handle<World>(worlds[i])) report_runaways(*world);

@@ -51,7 +51,7 @@ dWorldID dWorldCreate()
 void dWorldDestroy(dWorldID w)
 {
     EPODE_WORLD_OR();
-    EPODE_USER_SAY(!world->stepping, "Invalid operation during a step");
+    EPODE_USER_SAY(!is_busy(*world), busy_text(*world));
     for (Body& b : world->bodies) release_geoms(b);
     Pool<World>::destroy(world);
 }
@@ -109,7 +109,7 @@ void dWorldSetStepThreadingImplementation(dWorldID w, const dThreadingFunctionsI
     EPODE_WORLD_OR();
     EPODE_USER(!functions == !impl);
     EPODE_USER_SAY(!functions || complete(*functions), "Bad threading functions info");
-    EPODE_USER_SAY(!world->stepping, "Invalid operation during a step");
+    EPODE_USER_SAY(!is_busy(*world), busy_text(*world));
     world->threading = impl;
     world->threading_functions = functions ? *functions : dThreadingFunctionsInfo{};
 }
@@ -192,7 +192,7 @@ int dWorldStep(dWorldID w, dReal stepsize)
 {
     EPODE_WORLD_OR(0);
     EPODE_USER(usable(stepsize) && stepsize > 0, 0);
-    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world), 0);
     EPODE_USER_SAY(step_world(*world, kDirect, stepsize, 0), kOutOfMemory, 0);
     report_runaways(*world);
     return 1;
@@ -202,7 +202,7 @@ int dWorldQuickStep(dWorldID w, dReal stepsize)
 {
     EPODE_WORLD_OR(0);
     EPODE_USER(usable(stepsize) && stepsize > 0, 0);
-    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world), 0);
     EPODE_USER_SAY(step_world(*world, kQuick, stepsize, world->quick_iterations), kOutOfMemory, 0);
     report_runaways(*world);
     return 1;
@@ -212,7 +212,7 @@ int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations)
 {
     EPODE_WORLD_OR(0);
     EPODE_USER(usable(stepsize) && stepsize > 0 && maxiterations >= 1 && maxiterations <= kMaxSubsteps, 0);
-    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world), 0);
     EPODE_USER_SAY(step_world(*world, kTgs, stepsize, maxiterations), kOutOfMemory, 0);
     report_runaways(*world);
     return 1;
@@ -224,7 +224,7 @@ void dWorldSetExactRotation(dWorldID w, int mode)
 {
     EPODE_WORLD_OR();
     EPODE_USER(mode == 0 || mode == 1);
-    EPODE_USER_SAY(!world->stepping, "Invalid operation during a step");
+    EPODE_USER_SAY(!is_busy(*world), busy_text(*world));
     world->exact_rotation = mode != 0;
     for (Body& b : world->bodies) b.spin_excess = {};
 }
@@ -239,7 +239,7 @@ void dWorldSetFrictionCone(dWorldID w, int mode)
 {
     EPODE_WORLD_OR();
     EPODE_USER(mode == 0 || mode == 1);
-    EPODE_USER_SAY(!world->stepping, "Invalid operation during a step");
+    EPODE_USER_SAY(!is_busy(*world), busy_text(*world));
     world->friction_cone = mode != 0;
 }
 
@@ -253,7 +253,7 @@ void dWorldSetManifoldFriction(dWorldID w, int mode)
 {
     EPODE_WORLD_OR();
     EPODE_USER(mode == 0 || mode == 1);
-    EPODE_USER_SAY(!world->stepping, "Invalid operation during a step");
+    EPODE_USER_SAY(!is_busy(*world), busy_text(*world));
     world->manifold_friction = mode != 0;
 }
 

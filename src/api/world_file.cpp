@@ -31,12 +31,12 @@ dWorldID handles_of(const WorldCopy& copy, dSpaceID* space)
 
 }  // namespace
 
-#define IDLE_WORLD_AND_SPACE_OR(result)                                          \
-    World* const world = from_handle<World>(w);                                  \
-    EPODE_USER(world, result);                                                   \
-    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", result); \
-    EPODE_USER_SAY(!s || space_from(s), "argument not a space", result);         \
-    Space* const space = space_of(*world, s);                                    \
+#define IDLE_WORLD_AND_SPACE_OR(result)                                  \
+    World* const world = from_handle<World>(w);                          \
+    EPODE_USER(world, result);                                           \
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world), result);         \
+    EPODE_USER_SAY(!s || space_from(s), "argument not a space", result); \
+    Space* const space = space_of(*world, s);                            \
     [[maybe_unused]] char text[kText]
 
 extern "C" {

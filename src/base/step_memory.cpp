@@ -7,6 +7,8 @@
 
 #include <new>
 
+#include "base/call_guard.h"
+
 namespace epode {
 
 StepMemory* StepMemory::create()
@@ -41,6 +43,12 @@ bool StepMemory::begin()
     if (in_use_.exchange(true, std::memory_order_acquire)) return false;
     own_.reset();
     return true;
+}
+
+bool StepMemory::still_in_use() const
+{
+    CallGuard::release_left();
+    return in_use_.load(std::memory_order_relaxed);
 }
 
 bool StepMemory::provide(int workers)

@@ -25,7 +25,7 @@ class StepMemory {
     // False: in use by another step.
     bool begin();
     void end() { in_use_.store(false, std::memory_order_release); }
-    bool in_use() const { return in_use_.load(std::memory_order_relaxed); }
+    bool in_use() const { return in_use_.load(std::memory_order_relaxed) && still_in_use(); }
 
     // Between begin and end. False: no memory.
     bool provide(int workers);
@@ -39,6 +39,7 @@ class StepMemory {
   private:
     StepMemory() = default;
     ~StepMemory();
+    [[gnu::cold]] bool still_in_use() const;
 
     std::atomic<int> holders_{1};
     std::atomic<bool> in_use_{false};

@@ -63,6 +63,7 @@ bool changes_unseen(const Geom& geom);
 // program has replaced the function of any two classes since the last close.
 bool may_call_program(Geom& geom);
 bool any_overridden();
+inline bool geom_calls_program(Geom& geom) { return !geom.type->solid && may_call_program(geom); }
 
 // `function` serves (i, j) and, turned round, (j, i); null: the pair does not collide. Until the last close.
 void override_collider(int i, int j, dColliderFn* function);

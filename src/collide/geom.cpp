@@ -40,7 +40,20 @@ Geom::Geom(const GeomType& geom_type)
 
 std::uint64_t newest_geom_serial() { return g_serial.load(std::memory_order_relaxed); }
 
-bool in_locked_space(const Geom& geom) { return geom.space && geom.space->locks > 0; }
+bool is_held(const Geom& geom)
+{
+    if (geom.users.load(std::memory_order_relaxed) == 0) return false;
+    CallGuard::release_left();
+    return geom.users.load(std::memory_order_relaxed) > 0;
+}
+
+bool is_dying(const Geom& geom)
+{
+    if (geom.dying) CallGuard::release_left();
+    return geom.dying;
+}
+
+bool in_locked_space(const Geom& geom) { return geom.space && is_locked(*geom.space); }
 
 void refresh_pose(Geom& geom)
 {
@@ -177,14 +190,27 @@ void drop_material(Geom& geom)
     geom.material = nullptr;
 }
 
+namespace {
+
+void stay(void* geom, const void*, std::size_t) { static_cast<Geom*>(geom)->dying = false; }
+
+// Whatever the program does to the geom in its function is undone afterwards. If that leaves, the geom stays.
+void take_leave(Geom& geom)
+{
+    CallGuard guard(geom.type->farewell || is_space(geom) ? stay : nullptr, &geom);
+    geom.dying = true;
+    if (geom.type->farewell) geom.type->farewell(geom);
+    if (is_space(geom)) empty_space(static_cast<Space&>(geom));
+    (void)guard.end();
+}
+
+}  // namespace
+
 void destroy_geom(Geom& geom)
 {
     if (geom.dying) return;
-    geom.dying = true;
     note_structure_changed();
-    // Whatever the program does to the geom in its function is undone below.
-    if (geom.type->farewell) geom.type->farewell(geom);
-    if (is_space(geom)) empty_space(static_cast<Space&>(geom));
+    take_leave(geom);
     set_continuous(geom, dContinuousOff);
     set_sensor(geom, false);
     while (geom.holders) set_transform_geom(*geom.holders, nullptr);

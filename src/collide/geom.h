@@ -13,6 +13,7 @@
 
 #include <atomic>
 
+#include "base/call_guard.h"
 #include "base/objects/handle.h"
 #include "base/prefetch.h"
 #include "geometry/shapes.h"
@@ -125,17 +126,25 @@ struct ShapeGeom : Geom {
 };
 
 // Keeps a geom, while the program's own functions run, from being destroyed by them: what they return to
-// still needs it. Members of a locked space are safe without.
+// still needs it. Members of a locked space are safe without, and all where no such function can be called.
 class GeomHold {
   public:
-    explicit GeomHold(Geom& geom) : geom_(geom) { geom_.users.fetch_add(1, std::memory_order_relaxed); }
-    GeomHold(const GeomHold&) = delete;
-    GeomHold& operator=(const GeomHold&) = delete;
-    ~GeomHold() { geom_.users.fetch_sub(1, std::memory_order_relaxed); }
+    explicit GeomHold(Geom& geom, bool called = true) : guard_(called ? let_go : nullptr, &geom)
+    {
+        if (called) geom.users.fetch_add(1, std::memory_order_relaxed);
+    }
 
   private:
-    Geom& geom_;
+    static void let_go(void* geom, const void*, std::size_t)
+    {
+        static_cast<Geom*>(geom)->users.fetch_sub(1, std::memory_order_relaxed);
+    }
+    CallGuard guard_;
 };
+
+// Whether a call that has not ended holds it, or is destroying it.
+bool is_held(const Geom& geom);
+bool is_dying(const Geom& geom);
 
 // Starts to bring what a box is made of and goes to: the mark, the box, the shape. No more: in a pile of
 // thousands as many lines are on their way as the processor can wait for.

@@ -98,6 +98,43 @@ void clean_queued(Space& space, Chosen&& chosen)
 
 }  // namespace
 
+void DeepLock::count(Space& space, int by)
+{
+    space.locks += by;
+    if (space.helped == 0) return;  // no spaces among them
+    for (Geom* inner : space.geoms)
+        if (inner && is_space(*inner)) count(static_cast<Space&>(*inner), by);
+}
+
+bool still_locked(const Space& space)
+{
+    CallGuard::release_left();
+    return space.locks > 0;
+}
+
+// Locks a space while its members get their boxes. If that is left, all have to be looked at later.
+class Cleaning {
+  public:
+    explicit Cleaning(Space& space) : guard_(leave, &space), space_(space) { ++space.locks; }
+    ~Cleaning()
+    {
+        if (guard_.end()) --space_.locks;
+    }
+
+  private:
+    static void leave(void* id, const void*, std::size_t)
+    {
+        Space& space = *static_cast<Space*>(id);
+        --space.locks;
+        for (Geom* geom : space.geoms)
+            if (geom) geom->queued = geom->box_stale = true;
+        note_geoms_marked(space);
+    }
+
+    CallGuard guard_;
+    Space& space_;
+};
+
 Space* space_from(dSpaceID id)
 {
     Geom* geom = from_handle<Geom>(reinterpret_cast<dGeomID>(id));
@@ -155,7 +192,7 @@ void empty_space(Space& space)
 
 Geom* geom_at(Space& space, int index)
 {
-    if (has_gaps(space) && space.locks == 0) (void)compact(space);
+    if (has_gaps(space) && !is_locked(space)) (void)compact(space);
     if (!has_gaps(space)) return space.geoms[space.count - 1 - index];
     for (int slot = space.geoms.size(); slot-- > 0;)
         if (space.geoms[slot] && index-- == 0) return space.geoms[slot];
@@ -214,16 +251,16 @@ void note_rules_changed(Geom& geom)
 
 void clean(Space& space)
 {
-    if (space.locks > 0 || is_clean(space)) return;
-    SpaceLock lock(space);
+    if (is_clean(space) || is_locked(space)) return;
+    const Cleaning cleaning(space);
     list_queued(space);
     clean_queued(space, [](const Geom&) { return true; });
 }
 
 void clean(Space& space, const WayFinder& finder, const Tasks& tasks)
 {
-    const bool moves = space.locks == 0 && !is_clean(space);
-    SpaceLock lock(space);
+    const bool moves = !is_clean(space) && !is_locked(space);
+    const Cleaning cleaning(space);
     if (moves && space.helped > 0) {
         list_queued(space);
         clean_queued(space, [](const Geom& geom) { return !stands_alone(geom); });

@@ -8,9 +8,11 @@
 //   geoms     the members, by slots in order of joining. A slot is not used twice until compact() closes the
 //             gaps, so that work lists may name slots.
 //   locks     count the collisions in progress. A locked space refuses every change of its members, and is
-//             not cleaned: it looks as it was when the outermost collision began.
+//             not cleaned: it looks as it was when the outermost collision began. is_locked() also knows of
+//             collisions that a function of the program has left.
 #pragma once
 
+#include "base/call_guard.h"
 #include "base/prefetch.h"
 #include "collide/broadphase.h"
 #include "collide/geom.h"
@@ -62,17 +64,32 @@ struct Space : Geom {
     int min_level = -3, max_level = 10;
 };
 
-// Keeps a space locked for the time of a scope.
+// Keeps a space locked for the time of a scope, if functions of the program can be called in it.
 class SpaceLock {
   public:
-    explicit SpaceLock(Space& space) : space_(space) { ++space_.locks; }
-    SpaceLock(const SpaceLock&) = delete;
-    SpaceLock& operator=(const SpaceLock&) = delete;
-    ~SpaceLock() { --space_.locks; }
+    explicit SpaceLock(Space& space, bool called = true) : guard_(called ? unlock : nullptr, &space)
+    {
+        space.locks += called;
+    }
 
   private:
-    Space& space_;
+    static void unlock(void* space, const void*, std::size_t) { --static_cast<Space*>(space)->locks; }
+    CallGuard guard_;
 };
+
+// Keeps a space and all in it, at any depth, locked.
+class DeepLock {
+  public:
+    explicit DeepLock(Space& space) : guard_(unlock, &space) { count(space, 1); }
+
+  private:
+    static void count(Space& space, int by);
+    static void unlock(void* space, const void*, std::size_t) { count(*static_cast<Space*>(space), -1); }
+    CallGuard guard_;
+};
+
+[[gnu::cold]] bool still_locked(const Space& space);
+inline bool is_locked(const Space& space) { return space.locks > 0 && still_locked(space); }
 
 // The space that holds all that the geom is in; null: it is in none.
 inline Space* outermost_space(const Geom& geom)
@@ -83,7 +100,7 @@ inline Space* outermost_space(const Geom& geom)
 }
 
 // Whether the space is neither being collided nor being destroyed.
-inline bool accepts_geoms(const Space& space) { return space.locks == 0 && !space.dying; }
+inline bool accepts_geoms(const Space& space) { return !is_locked(space) && !is_dying(space); }
 
 Space* space_from(dSpaceID id);  // null unless it is a live space
 dSpaceID id_of(const Space* space);

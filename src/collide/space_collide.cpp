@@ -26,9 +26,10 @@ struct Report {
 // The callback may move and enable geoms, but not change the list.
 void report_pairs(Space& space, const Report& report, PairsOf of)
 {
+    const CallGuard walk([](void* s, const void*, std::size_t) { --static_cast<Space*>(s)->pair_walks; },
+                         &space);
     ++space.pair_walks;
     visit_pairs(space, of, 0, space.broadphase.pairs().size(), report);
-    --space.pair_walks;
 }
 
 void report_all_pairs(Space& space, const Report& report, PairsOf of)
@@ -162,13 +163,14 @@ bool may_meet(Geom& a, Geom& b)
 
 void collide_space(Space& space, void* data, dNearCallback* callback, PairsOf of)
 {
+    const bool is_walked = is_locked(space) && space.pair_walks > 0;
     const bool moves = !is_clean(space);
     clean(space);
     SpaceLock lock(space);
     const Report report{data, callback};
     if (moves && of == PairsOf::kBoxes && try_all_pairs(space)) return report_all_pairs(space, report, of);
     // During a walk over the pair list it must stay; then it is up to date already.
-    if (space.pair_walks > 0 || space.broadphase.find_pairs())
+    if (is_walked || space.broadphase.find_pairs())
         report_pairs(space, report, of);
     else
         report_all_pairs(space, report, of);

@@ -23,20 +23,28 @@ TransformGeom* as_transform(Geom& geom);
 // Lets go the present geom, without destroying it, and takes another one or none.
 void set_transform_geom(TransformGeom& transform, Geom* inner);
 
-// Puts a geom elsewhere for the time of a scope: user functions read the pose with dGeomGetPosition.
+// Puts a geom elsewhere for the time of a scope: user functions read the pose with dGeomGetPosition. Where no such
+// function is called, the pose lies on the stack.
 class PlacedElsewhere {
   public:
-    PlacedElsewhere(Geom& geom, const Pose& pose);
+    PlacedElsewhere(Geom& geom, const Pose& pose, bool called);
     ~PlacedElsewhere();
     PlacedElsewhere(const PlacedElsewhere&) = delete;
     PlacedElsewhere& operator=(const PlacedElsewhere&) = delete;
 
   private:
+    struct Place {
+        Real position[4], rotation[12];
+    };
+    static void put_back(void* geom, const void* place, std::size_t size);
+
     Geom& geom_;
     const Real *old_position_, *old_rotation_;
     Aabb old_box_;
     bool old_stale_;
-    Real position_[4] = {}, rotation_[12];
+    Place here_;
+    Place* const own_;  // not on the stack; null: none
+    CallGuard guard_;
 };
 
 }  // namespace epode

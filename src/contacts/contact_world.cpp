@@ -73,7 +73,7 @@ void ContactWorld::accept_settled(Real h)
 
 bool ContactWorld::leaves_at_rest(const Space& in, ActiveBodies active) const
 {
-    return !unfinished_ && in.helped == 0 && in.locks == 0 && (!in.keeper || in.keeper == this) &&
+    return !unfinished_ && in.helped == 0 && !is_locked(in) && (!in.keeper || in.keeper == this) &&
            in.disturbances.knows_since(seen_disturbances_) &&
            (few_active_ ? kStillFew : kFew) * active.count <= active.all;
 }

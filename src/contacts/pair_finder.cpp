@@ -140,14 +140,6 @@ bool find_geom_pairs(Space& space, const ActiveGeoms& active, Array<SlotPair>& n
     return complete;
 }
 
-void DeepLock::count(Space& space, int by)
-{
-    space.locks += by;
-    if (space.helped == 0) return;  // no spaces among them
-    for (Geom* member : space.geoms)
-        if (member && is_space(*member)) count(static_cast<Space&>(*member), by);
-}
-
 bool RecordFinder::is(int record, std::uint64_t serial1, std::uint64_t serial2) const
 {
     const ContactPair& r = records_.data()[record];

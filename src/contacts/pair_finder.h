@@ -35,19 +35,6 @@ void expect_motion(Space& space, const SpeculativeMotion& soon, const ActiveGeom
 [[nodiscard]] bool find_geom_pairs(Space& space, const ActiveGeoms& active, Array<SlotPair>& near,
                                    Array<GeomPair>& out);
 
-// Keeps a space and all in it, at any depth, locked: the filter is the program's.
-class DeepLock {
-  public:
-    explicit DeepLock(Space& space) : space_(space) { count(space, 1); }
-    DeepLock(const DeepLock&) = delete;
-    DeepLock& operator=(const DeepLock&) = delete;
-    ~DeepLock() { count(space_, -1); }
-
-  private:
-    static void count(Space& space, int by);
-    Space& space_;
-};
-
 class RecordFinder {
   public:
     explicit RecordFinder(const Array<ContactPair>& records, Array<int>& table)

@@ -48,7 +48,7 @@ void find_tunnelling(const StepFacts& facts)
         const Real half = extent_of(body).half_thickness, moved = length(x - b.x);
         if (!(moved > half) || !usable(moved)) return;
         Space* const space = outermost_space(*geom);
-        if (!space || space->locks > 0) return;
+        if (!space || is_locked(*space)) return;
         RayCaster caster(*space, false);
         if (caster.needs_program()) return;
         const RayAnswer in = cast(caster, *geom, b.x, x);

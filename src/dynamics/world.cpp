@@ -8,22 +8,35 @@
 
 #include <atomic>
 
+#include "base/call_guard.h"
 #include "base/messages.h"
 
 namespace epode {
 namespace {
 
-std::atomic<int> g_stepping{0};  // worlds
+std::atomic<int> g_busy{0};  // worlds
 
 }  // namespace
 
-void mark_stepping(World& world, bool on)
+void mark_busy(World& world, Busy busy)
 {
-    if (world.stepping != on) g_stepping.fetch_add(on ? 1 : -1, std::memory_order_relaxed);
-    world.stepping = on;
+    const int change = (busy != Busy::kNo) - (world.busy != Busy::kNo);
+    if (change) g_busy.fetch_add(change, std::memory_order_relaxed);
+    world.busy = busy;
 }
 
-bool any_world_steps() { return g_stepping.load(std::memory_order_relaxed) > 0; }
+bool any_world_busy() { return g_busy.load(std::memory_order_relaxed) > 0; }
+
+bool still_busy(const World& world)
+{
+    CallGuard::release_left();
+    return world.busy != Busy::kNo;
+}
+
+const char* busy_text(const World&)
+{
+    return "Invalid operation during a step";
+}
 
 World::World() : Tagged(Tag::kWorld) {}
 

@@ -6,6 +6,7 @@
 // `step_state` belongs to step/, the only folder that knows what survives from one step to the next.
 #pragma once
 
+#include "base/call_guard.h"
 #include "base/objects/handle.h"
 #include "base/objects/roster.h"
 #include "base/step_memory.h"
@@ -23,6 +24,9 @@ struct StepState;
 
 // Softness that only keeps redundant joints solvable.
 inline constexpr Real kDefaultCfm = kSingle ? Real(1e-5) : Real(1e-10);
+
+// What the library is doing with a world while it may call functions of the program.
+enum class Busy : std::uint8_t { kNo, kStep };
 
 struct World : Tagged {
     World();
@@ -78,7 +82,7 @@ struct World : Tagged {
 
     void* data = nullptr;
     std::uint64_t step_count = 0;
-    bool stepping = false;  // calls that would pull the step's feet away are refused; mark_stepping()
+    Busy busy = Busy::kNo;  // calls that would pull the step's feet away are refused; mark_busy()
     bool report_wanted = false;
     bool report_made = false;  // a step has been made since it was wanted
     dWorldStepReport report{};
@@ -94,9 +98,14 @@ struct HandleOf<World> {
     static constexpr Tag kTag = Tag::kWorld;
 };
 
-void mark_stepping(World& world, bool on);
-bool any_world_steps();  // of this process
-inline bool stepping(const Joint& joint) { return joint.world && joint.world->stepping; }
+void mark_busy(World& world, Busy busy);
+bool any_world_busy();  // of this process
+[[gnu::cold]] bool still_busy(
+    const World& world);  // if no function of the program has left what kept it busy
+inline bool is_busy(const World& world) { return world.busy != Busy::kNo && still_busy(world); }
+inline bool is_busy(const Joint& joint) { return joint.world && is_busy(*joint.world); }
+// Why the call is refused.
+const char* busy_text(const World& world);
 
 }  // namespace epode
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "collide/collide.h"
+
 namespace epode {
 namespace {
 
@@ -72,11 +74,27 @@ bool collect_near(Space& space, const QueryFilter& filter, const Aabb& box, Arra
     return complete;
 }
 
-void CandidateLock::add(int count) const
+void clean_while_held(Space& space, Geom& geom)
 {
-    if (!outer_) return;
-    for (const Geom* m : candidates_)
-        for (Space* s = m->space; s; s = s == outer_ ? nullptr : s->space) s->locks += count;
+    const GeomHold hold(geom, space.helped > 0);
+    clean(space);
+}
+
+bool may_call_program(std::span<Geom* const> geoms, const QueryFilter& filter)
+{
+    return filter.callback || any_overridden() ||
+           std::any_of(geoms.begin(), geoms.end(), [](Geom* geom) { return geom_calls_program(*geom); });
+}
+
+void CandidateLock::add(Space& outer, std::span<Geom* const> candidates, int count)
+{
+    for (const Geom* m : candidates)
+        for (Space* s = m->space; s; s = s == &outer ? nullptr : s->space) s->locks += count;
+}
+
+void CandidateLock::unlock(void* outer, const void* candidates, std::size_t size)
+{
+    add(*static_cast<Space*>(outer), {static_cast<Geom* const*>(candidates), size}, -1);
 }
 
 }  // namespace epode

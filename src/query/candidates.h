@@ -37,22 +37,26 @@ bool each_candidate(Space& space, Visit&& visit)
 [[nodiscard]] bool collect_seen(Space& space, const QueryFilter& filter, Array<Geom*>& out);
 [[nodiscard]] bool collect_near(Space& space, const QueryFilter& filter, const Aabb& box, Array<Geom*>& out);
 
+// Cleans a space, which may call functions of the program for what is in it; the geom outlives them.
+void clean_while_held(Space& space, Geom& geom);
+// Whether functions of the program may be called while these are asked.
+bool may_call_program(std::span<Geom* const> geoms, const QueryFilter& filter);
+
 // Locks every space from those of the candidates up to an outer one, so that callbacks of the program cannot
-// change the candidates. Null: locks nothing.
+// change the candidates. Null: locks nothing, as where none can be called. The list keeps its memory meanwhile.
 class CandidateLock {
   public:
-    CandidateLock(Space* outer, const Array<Geom*>& candidates) : outer_(outer), candidates_(candidates)
+    CandidateLock(Space* outer, const Array<Geom*>& candidates)
+        : guard_(outer && !candidates.empty() ? unlock : nullptr, outer, candidates.data(),
+                 std::size_t(candidates.size()))
     {
-        add(1);
+        if (outer) add(*outer, candidates.span(), 1);
     }
-    CandidateLock(const CandidateLock&) = delete;
-    CandidateLock& operator=(const CandidateLock&) = delete;
-    ~CandidateLock() { add(-1); }
 
   private:
-    void add(int count) const;
-    Space* outer_;
-    const Array<Geom*>& candidates_;
+    static void add(Space& outer, std::span<Geom* const> candidates, int count);
+    static void unlock(void* outer, const void* candidates, std::size_t size);
+    CallGuard guard_;
 };
 
 }  // namespace epode

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/float_environment.h"
+#include "collide/collide.h"
 #include "collide/types/registry.h"
 #include "ode/ext.h"
 #include "query/candidates.h"
@@ -48,6 +49,28 @@ GeomSeparation least(const Array<Geom*>& first, const Array<Geom*>& second, bool
     return best;
 }
 
+// False: out of memory.
+bool separation_of(Geom& a, Geom& b, Real max_distance, GeomSeparation& found)
+{
+    for (Geom* g : {&a, &b})
+        if (is_space(*g)) clean(static_cast<Space&>(*g));
+    Array<Geom*> first, second;
+    if (!leaves_of(a, {b.category, b.collide}, first) || !leaves_of(b, {a.category, a.collide}, second))
+        return false;
+    const CandidateLock lock_a(space_of(a), first), lock_b(space_of(b), second);
+    found = least(first, second, is_space(a) || is_space(b), max_distance);
+    return true;
+}
+
+// The same where functions of the program may be called.
+bool separation_while_held(Geom& a, Geom& b, Real max_distance, GeomSeparation& found)
+{
+    const auto calls = [](Geom& geom) { return is_space(geom) || geom_calls_program(geom); };
+    if (!calls(a) && !calls(b)) return separation_of(a, b, max_distance, found);
+    const GeomHold hold_a(a), hold_b(b);
+    return separation_of(a, b, max_distance, found);
+}
+
 void put(const GeomSeparation& s, dQueryDistance& out)
 {
     out = dQueryDistance{};
@@ -72,15 +95,8 @@ extern "C" int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal max_distance, dQue
     EPODE_GEOM(a, o1, 0);
     EPODE_GEOM(b, o2, 0);
     EPODE_USER(a != b && result && (usable(max_distance) || max_distance == kInf), 0);
-    const GeomHold hold_a(*a), hold_b(*b);
-    for (Geom* g : {a, b})
-        if (is_space(*g)) clean(static_cast<Space&>(*g));
-    Array<Geom*> first, second;
-    const bool complete =
-        leaves_of(*a, {b->category, b->collide}, first) && leaves_of(*b, {a->category, a->collide}, second);
-    EPODE_USER_SAY(complete, kOutOfMemory, 0);
-    const CandidateLock lock_a(space_of(*a), first), lock_b(space_of(*b), second);
-    const GeomSeparation found = least(first, second, is_space(*a) || is_space(*b), max_distance);
+    GeomSeparation found;
+    EPODE_USER_SAY(separation_while_held(*a, *b, max_distance, found), kOutOfMemory, 0);
     if (!found.a) return 0;
     put(found, *result);
     return 1;
@@ -95,11 +111,12 @@ extern "C" int dSpaceOverlap(dSpaceID id, dGeomID o, const dQueryFilter* given, 
     EPODE_USER_SAY(!is_space(*geom), "argument must not be a space", 0);
     QueryFilter filter{geom->category, geom->collide};
     if (!read_filter(given, __func__, filter)) return 0;
-    const GeomHold hold(*geom);
     Array<Geom*> near;
-    clean(*space);
+    clean_while_held(*space, *geom);
     EPODE_USER_SAY(collect_near(*space, filter, box_of(*geom), near), kOutOfMemory, 0);
-    const CandidateLock lock(space, near);
+    const bool called = may_call_program(near.span(), filter) || geom_calls_program(*geom);
+    const GeomHold hold(*geom, called);
+    const CandidateLock lock(called ? space : nullptr, near);
     int count = 0;
     for (Geom* m : near) {
         if (!can_pair(*geom, *m) || !overlapping(*geom, *m) || !filter.keeps(to_handle(m))) continue;

@@ -22,7 +22,11 @@ Real just_beyond(Real distance)
 
 }  // namespace
 
-RayProbe::RayProbe() : ShapeGeom<Ray>(kRayType) { shape.closest_hit = true; }
+RayProbe::RayProbe() : ShapeGeom<Ray>(kRayType)
+{
+    shape.closest_hit = true;
+    users = 1;
+}
 
 RayProbe::~RayProbe()
 {
@@ -99,7 +103,7 @@ void RayCaster::walk(Space& space, const RayQuery& query, Real& reach, Found&& f
         return reach;
     };
     const bool by_tree = ready_ ? space.broadphase.ready() : space.broadphase.prepare(1);
-    if (!ready_) ++space.locks;  // cleaning nested spaces may call functions of the program
+    const SpaceLock lock(space, !ready_ && space.helped > 0);  // cleaning a nested space may call the program
     // A ray reads only the first cache lines of most geoms, and they are seldom in the cache.
     const auto prefetch_candidate = [&](int slot) {
         const Geom* m = space.geoms.data()[slot];
@@ -111,14 +115,15 @@ void RayCaster::walk(Space& space, const RayQuery& query, Real& reach, Found&& f
         for (int slot = space.geoms.size(); slot-- > 0;)
             if (space.geoms.data()[slot] && space.broadphase.present(slot)) visit(slot);
     }
-    if (!ready_) --space.locks;
 }
 
 template <typename Found>
 void RayCaster::ask_waiting(const RayQuery& query, const Real& reach, Found&& found)
 {
+    if (waiting_.empty()) return;
     std::sort(waiting_.begin(), waiting_.end(), [](Geom* a, Geom* b) { return is_newer(*a, *b); });
-    const CandidateLock lock(ready_ ? nullptr : &space_, waiting_);
+    const bool called = !ready_ && may_call_program(waiting_.span(), query.filter);
+    const CandidateLock lock(called ? &space_ : nullptr, waiting_);
     const Real until = reach;
     for (Geom* m : waiting_) {
         RayAnswer answer;

@@ -34,15 +34,13 @@ inline bool precedes(const RayAnswer& a, const RayAnswer& b)
     return a.candidate != b.candidate && is_newer(*a.candidate, *b.candidate);
 }
 
-// A ray geom outside all spaces and pools. Undoes whatever functions of the program do to it.
+// A ray geom outside all spaces and pools, which can never be destroyed. Undoes whatever functions of the program
+// do to it.
 class RayProbe : public ShapeGeom<Ray> {
   public:
     RayProbe();
     ~RayProbe();
     void aim(const RayQuery& query, Real length);
-
-  private:
-    GeomHold hold_{*this};
 };
 
 class RayCaster {

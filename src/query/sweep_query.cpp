@@ -5,6 +5,7 @@
 // boxes the moving box reaches before the best hit so far. Every geom that may give an equal hit is tried,
 // and the newer one wins.
 #include "base/float_environment.h"
+#include "collide/collide.h"
 #include "collide/types/registry.h"
 #include "ode/ext.h"
 #include "query/candidates.h"
@@ -79,7 +80,8 @@ extern "C" int dGeomCast(dGeomID o, const dVector3 motion, dGeomID other_id, dQu
     EPODE_USER_SAY(!is_space(*other), "argument must not be a space", 0);
     Way way;
     EPODE_USER(way_of(motion, way), 0);
-    const GeomHold hold(*solid), hold_other(*other);
+    const bool called = geom_calls_program(*other);
+    const GeomHold hold(*solid, called), hold_other(*other, called);
     const SweepHit found = sweep(*solid, way, *other, way.length);
     put(found, *hit);
     return found.distance < kInf;
@@ -97,11 +99,12 @@ extern "C" int dSpaceCast(dSpaceID id, dGeomID o, const dVector3 motion, const d
     EPODE_USER(way_of(motion, way), 0);
     QueryFilter filter{solid->category, solid->collide};
     if (!read_filter(given, __func__, filter)) return 0;
-    const GeomHold hold(*solid);
-    clean(*space);
+    clean_while_held(*space, *solid);
     Array<Geom*> near;
     EPODE_USER_SAY(collect_near(*space, filter, swept(box_of(*solid), way), near), kOutOfMemory, 0);
-    const CandidateLock lock(space, near);
+    const bool called = may_call_program(near.span(), filter);
+    const GeomHold hold(*solid, called);
+    const CandidateLock lock(called ? space : nullptr, near);
     const SweepHit found = nearest(*solid, way, near, filter);
     put(found, *hit);
     return found.distance < kInf;

@@ -103,8 +103,7 @@ const char* Arrangement::prepare(const Topology& from, const Topology& to, char*
     if ((has_coupling(from) || has_coupling(to)) && !same_joints(from, to))
         return "bodies or joints were created, destroyed or attached since, in a world with couplings";
     for (const Topology::GeomRecord& r : from.geoms)
-        if (is_newcomer(r, to) && r.geom.object->users.load(std::memory_order_relaxed) > 0)
-            return "Invalid operation during a collision";
+        if (is_newcomer(r, to) && is_held(*r.geom.object)) return "Invalid operation during a collision";
     return reserve(from, to) ? nullptr : kOutOfMemory;
 }
 

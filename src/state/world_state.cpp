@@ -93,7 +93,8 @@ bool WorldState::find_spaces()
 
 bool WorldState::is_locked() const
 {
-    return std::any_of(spaces_.begin(), spaces_.end(), [](const Space* space) { return space->locks > 0; });
+    return std::any_of(spaces_.begin(), spaces_.end(),
+                       [](const Space* space) { return epode::is_locked(*space); });
 }
 
 std::size_t WorldState::begin_of_parts() const

@@ -134,14 +134,17 @@ bool borrows_memory(const World& world)
 bool WorldBatch::add(World& world)
 {
     if (!entries_.push({&world, {}, 0, false, entries_.size()})) return false;
-    mark_stepping(world, true);
+    mark_busy(world, Busy::kStep);
     return true;
 }
 
-WorldBatch::~WorldBatch()
+void WorldBatch::unmark(void*, const void* entries, std::size_t count)
 {
-    for (Entry& entry : entries_) mark_stepping(*entry.world, false);
+    for (const Entry& entry : std::span(static_cast<const Entry*>(entries), count))
+        mark_busy(*entry.world, Busy::kNo);
 }
+
+WorldBatch::~WorldBatch() { unmark(nullptr, entries_.data(), std::size_t(entries_.size())); }
 
 void WorldBatch::survey(Entry& entry)
 {
@@ -292,6 +295,7 @@ int WorldBatch::run(const Step& step, int steps, int* made)
             run_one(i, memory_for(*entries_.data()[order_.data()[i]].world, worker));
     });
     // Functions of the program may free or share what a world has.
+    const CallGuard guard(unmark, nullptr, entries_.data(), std::size_t(entries_.size()));
     for (int place = own_; place < order_.size(); ++place) run_one(place, nullptr);
     return whole.load();
 }

@@ -57,6 +57,7 @@ class WorldBatch {
         long long weight;
     };
 
+    static void unmark(void*, const void* entries, std::size_t count);
     static void survey(Entry& entry);
     bool collect_shares();
     void join_sharers();

@@ -25,14 +25,31 @@ void call_moved_callback(Body& body)
     body.moved(to_handle(&body));
 }
 
+void empty(Body& body, Runaways& runaways)
+{
+    runaways.check(body);
+    damp(body);
+    store(body.facc, {});
+    store(body.tacc, {});
+    body.had_manifolds = body.manifolds != nullptr;
+    body.manifolds = nullptr;
+}
+
 }  // namespace
+
+void finish_silently(Unfinished& left, Runaways& runaways)
+{
+    for (std::size_t i = 0; i < left.bodies.size(); ++i)
+        if (left.has(i)) empty(*left.bodies[i], runaways);
+    left = {};
+}
 
 bool Finish::begin(std::span<Body* const> bodies, bool early, Arena& arena)
 {
     bodies_ = bodies;
     early_ = early;
     any_left_ = !early;
-    if (early) done_ = arena.take_zeroed<bool>(int(bodies.size()));
+    done_ = arena.take_zeroed<bool>(int(bodies.size()));
     return !arena.failed();
 }
 
@@ -49,22 +66,34 @@ void Finish::at_once(std::span<Body* const> piece, const Tasks& tasks)
                 any_left_.store(true, std::memory_order_relaxed);
                 continue;
             }
-            empty(body);
+            empty(body, runaways_);
             done_[first + std::size_t(i)] = true;
         }
     });
 }
 
-void Finish::rest()
+// Callbacks come last: one that does not return leaves nothing to be done but the bodies of those after it.
+void Finish::rest(Unfinished& left)
 {
     report_marked();
     if (!any_left_) return;
-    const auto is_left = [&](std::size_t i) { return i < bodies_.size() && !(early_ && done_[i]); };
+    left = {bodies_, done_};
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        if (is_left(i + 2 * kAhead)) prefetch_body(*bodies_[i + 2 * kAhead]);
-        if (is_left(i + kAhead)) prefetch_geoms(*bodies_[i + kAhead]);
-        if (is_left(i)) one(*bodies_[i]);
+        if (left.has(i + 2 * kAhead)) prefetch_body(*bodies_[i + 2 * kAhead]);
+        if (left.has(i + kAhead)) prefetch_geoms(*bodies_[i + kAhead]);
+        if (!left.has(i)) continue;
+        Body& body = *bodies_[i];
+        if (moves_geoms(body)) body_stepped(body);
+        done_[i] = !body.has_moved_callback;
+        if (done_[i]) empty(body, runaways_);
     }
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (!left.has(i)) continue;
+        if (bodies_[i]->has_moved_callback) call_moved_callback(*bodies_[i]);
+        empty(*bodies_[i], runaways_);
+        done_[i] = true;
+    }
+    left = {};
 }
 
 // False: they must wait for rest().
@@ -78,23 +107,6 @@ bool Finish::mark_geoms(Body& body) const
 bool Finish::moves_geoms(const Body& body) const
 {
     return !continuous_.marked() || continuous_.stopped(body);
-}
-
-void Finish::empty(Body& body) const
-{
-    runaways_.check(body);
-    damp(body);
-    store(body.facc, {});
-    store(body.tacc, {});
-    body.had_manifolds = body.manifolds != nullptr;
-    body.manifolds = nullptr;
-}
-
-void Finish::one(Body& body) const
-{
-    if (moves_geoms(body)) body_stepped(body);
-    if (body.has_moved_callback) call_moved_callback(body);
-    empty(body);
 }
 
 // Reports the marked members to the space: as a list if they are few, else the space checks all.

@@ -19,6 +19,15 @@ namespace epode {
 
 struct Space;
 
+// The bodies that are not `done`, while their callbacks are called.
+struct Unfinished {
+    std::span<Body* const> bodies;
+    std::span<bool> done;
+    bool has(std::size_t i) const { return i < bodies.size() && !done[i]; }
+};
+// A callback has left the step, which has been made: no other is called.
+void finish_silently(Unfinished& left, Runaways& runaways);
+
 class Finish {
   public:
     // `contact_space`: the space of the world-managed contacts, or null.
@@ -35,15 +44,13 @@ class Finish {
     // Finishes a piece of the bodies whose islands are solved. On any worker.
     void at_once(std::span<Body* const> piece, const Tasks& tasks);
     // Finishes the bodies that are left, at the end of the step.
-    void rest();
+    void rest(Unfinished& left);
     // The step has been undone: geoms may stay marked.
     void take_back() { report_marked(); }
 
   private:
     bool mark_geoms(Body& body) const;
     bool moves_geoms(const Body& body) const;
-    void one(Body& body) const;
-    void empty(Body& body) const;
     void report_marked() const;
     [[nodiscard]] bool list_marked() const;
 
@@ -53,7 +60,7 @@ class Finish {
     const bool alone_;
     bool early_ = false;
     std::span<Body* const> bodies_;
-    std::span<bool> done_;  // of bodies_, if early
+    std::span<bool> done_;  // of bodies_
     std::atomic<bool> any_left_{false};
 };
 

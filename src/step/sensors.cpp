@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/objects/structure_edition.h"
+#include "collide/collide.h"
 #include "query/candidates.h"
 #include "query/distance.h"
 #include "step/common/link.h"
@@ -80,8 +81,9 @@ bool Sensors::look_around(const World& world, Space& space, Geom& sensor)
     const QueryFilter filter{sensor.category, sensor.collide};
     near_.clear();
     if (!collect_near(space, filter, box_of(sensor), near_)) return false;
-    const GeomHold hold(sensor);
-    const CandidateLock lock(&space, near_);
+    const bool called = may_call_program(near_.span(), filter) || geom_calls_program(sensor);
+    const GeomHold hold(sensor, called);
+    const CandidateLock lock(called ? &space : nullptr, near_);
     for (Geom* other : near_) {
         if (other == &sensor || !may_report(world, sensor, *other) || !overlapping(sensor, *other)) continue;
         if (!found_.push({sensor.serial, other->serial, to_handle(&sensor), to_handle(other)})) return false;

@@ -26,6 +26,7 @@
 #include "step/island/energy_ledger.h"
 #include "step/island/island_step.h"
 #include "step/island/report.h"
+#include "step/stepping.h"
 #include "step/validate.h"
 #include "tasks/tasks.h"
 
@@ -180,7 +181,7 @@ class WorldStep {
         state_.events.begin_step(context_.world, updates_contacts_ ? &state_.world_contacts : nullptr);
     }
 
-    void finish() { finish_.rest(); }
+    void finish() { finish_.rest(state_.underway.unfinished); }
 
     // Restores the state before the step, with the count of steps: it seeds random orders.
     void take_back()
@@ -417,21 +418,6 @@ StepState* step_state(World& world)
 
 namespace {
 
-// Marks the world as stepping. The program's functions run during a step (memory, threading, callbacks), so
-// calls that would change what the step works on are refused until it ends. A batch marks its worlds itself,
-// for longer.
-class Stepping {
-  public:
-    explicit Stepping(World& world) : world_(world), before_(world.stepping) { mark_stepping(world_, true); }
-    Stepping(const Stepping&) = delete;
-    Stepping& operator=(const Stepping&) = delete;
-    ~Stepping() { mark_stepping(world_, before_); }
-
-  private:
-    World& world_;
-    const bool before_;
-};
-
 // What dWorldQuickStep means in this world.
 const Solver* solver_in(const World& world, const Solver* solver)
 {
@@ -443,21 +429,24 @@ bool step_in(World& world, StepState& state, StepMemory& memory, const Solver* s
 {
     Workers workers;
     if (!workers.start(world, solver)) return false;
-    ++world.step_count;
+    StepUnderway& underway = state.underway;
+    ++world.step_count, underway.counted = true;
     const std::uint32_t random = ProcessRandom::state();
-    StepUndo undo(world);
     const StepContext context{.world = world,
                               .solver = solver ? *solver : kDirect,
                               .h = h,
                               .iterations = iterations,
                               .contacts = state.contacts,
                               .symbolic_cache = state.symbolic_cache,
-                              .undo = undo,
+                              .undo = *underway.undo,
                               .runaways = state.runaways,
                               .manages_contacts = state.world_contacts.live_space() != nullptr,
                               .methods = {}};
     WorldStep step(context, !solver, state, memory, workers);
-    const bool made = step.prepare() && step.run() && step.stop_at_impacts();
+    bool made = step.prepare();
+    underway.ran = made;
+    made = made && step.run() && step.stop_at_impacts();
+    underway.made = made;
     if (made) {
         state.contacts.end(h);
         step.accept_contacts();
@@ -490,9 +479,12 @@ bool step_with(World& world, const Solver* solver, Real h, int iterations, StepM
     StepState* state = step_state(world);
     StepMemory* memory = lent ? lent : working_memory(world);
     if (!state || !memory || !memory->begin()) return false;
+    StepUnderway& underway = state->underway;
+    underway.begin(world, *memory, h);
     for (StepObserver* o : state->observers())
         if (o && o->begin) o->begin(*o, world, h);
     const bool done = step_in(world, *state, *memory, solver_in(world, solver), h, iterations);
+    underway.memory = nullptr;
     memory->end();
     for (StepObserver* o : state->observers())
         if (o && o->end) o->end(*o, world, h, done);

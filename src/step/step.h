@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "base/array.h"
 #include "contacts/contact_world.h"
@@ -14,6 +15,8 @@
 #include "step/common/contact_cache.h"
 #include "step/common/continuous.h"
 #include "step/common/runaway.h"
+#include "step/common/undo.h"
+#include "step/finish.h"
 #include "step/world_events.h"
 
 namespace epode {
@@ -23,6 +26,22 @@ struct StepObserver {
     void (*begin)(StepObserver&, World&, Real h) = nullptr;           // null: is not told
     void (*end)(StepObserver&, World&, Real h, bool made) = nullptr;  // likewise; false: it has been undone
     void (*destroy)(StepObserver&) = nullptr;
+};
+
+// A step in progress. It is needed when a function of the program leaves the step.
+struct StepUnderway {
+    void begin(World& world, StepMemory& works_in, Real size)
+    {
+        undo.emplace(world);
+        memory = &works_in, h = size;
+        counted = ran = made = false;
+        unfinished = {};
+    }
+    std::optional<StepUndo> undo;
+    StepMemory* memory = nullptr;  // null: no step is in progress
+    Real h = 0;
+    bool counted = false, ran = false, made = false;
+    Unfinished unfinished;
 };
 
 // What a world keeps from one step to the next.
@@ -36,6 +55,7 @@ struct StepState {
             if (observer) observer->destroy(*observer);
     }
 
+    StepUnderway underway;
     ContactCache contacts;
     SymbolicCache symbolic_cache;
     ContinuousLists continuous;
@@ -51,8 +71,8 @@ struct StepState {
     std::array<StepObserver*, 2> observers() const { return {watch, archive}; }
 };
 
-// Is the world stepping, or another world that shares its working memory?
-inline bool in_step(const World& world) { return world.stepping || (world.memory && world.memory->in_use()); }
+// Is the world busy, or another world that shares its working memory?
+inline bool in_step(const World& world) { return is_busy(world) || (world.memory && world.memory->in_use()); }
 
 // The world's working memory, created if it has none; null when memory is exhausted.
 StepMemory* working_memory(World& world);

@@ -302,13 +302,13 @@ template <typename Call>
 void while_held(Call&& call, const Placed& a, const Placed& b)
 {
     if (a.elsewhere) {
-        const PlacedElsewhere there(*a.geom, a.pose);
+        const PlacedElsewhere there(*a.geom, a.pose, true);
         Placed settled = a;
         settled.elsewhere = false;
         return while_held(call, settled, b);
     }
     if (b.elsewhere) {
-        const PlacedElsewhere there(*b.geom, b.pose);
+        const PlacedElsewhere there(*b.geom, b.pose, true);
         Placed settled = b;
         settled.elsewhere = false;
         return while_held(call, a, settled);

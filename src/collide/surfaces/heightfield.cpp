@@ -41,8 +41,6 @@ constexpr GridStep kAdjacent[6][2] = {{{0, 0}, {0, -1}},   {{0, 0}, {-1, 0}},   
 
 }  // namespace
 
-constinit thread_local int InHeightFunction::depth = 0;
-
 HeightfieldData::HeightfieldData() : Numbered(Tag::kHeightfieldData)
 {
     serial = g_fields.fetch_add(1, std::memory_order_relaxed) + 1;

@@ -23,6 +23,17 @@ class Locked {
     SpinLock& lock_;
 };
 
+TrimeshData* data_of(Geom& geom)
+{
+    const TrimeshGeom* mesh = as_trimesh(geom);
+    return mesh ? mesh->shape.data : nullptr;
+}
+
+void let_go(void* data, const void*, std::size_t)
+{
+    static_cast<TrimeshData*>(data)->users.fetch_sub(1, std::memory_order_relaxed);
+}
+
 }  // namespace
 
 TrimeshData::TrimeshData() : Numbered(Tag::kTrimeshData)
@@ -41,6 +52,7 @@ TrimeshData::~TrimeshData()
 
 bool TrimeshData::in_use() const
 {
+    if (users.load(std::memory_order_relaxed) > 0) CallGuard::release_left();
     if (users.load(std::memory_order_relaxed) > 0) return true;
     for (const TrimeshGeom* g = geoms; g; g = g->next_user)
         if (in_locked_space(*g)) return true;
@@ -73,15 +85,9 @@ TrimeshGeom* as_trimesh(Geom& geom)
     return geom.type->number == dTriMeshClass ? static_cast<TrimeshGeom*>(&geom) : nullptr;
 }
 
-MeshHold::MeshHold(Geom& geom) : geom_(geom), data_(nullptr)
+MeshHold::MeshHold(Geom& geom) : geom_(geom), data_(data_of(geom) ? let_go : nullptr, data_of(geom))
 {
-    if (const TrimeshGeom* mesh = as_trimesh(geom)) data_ = mesh->shape.data;
-    if (data_) data_->users.fetch_add(1, std::memory_order_relaxed);
-}
-
-MeshHold::~MeshHold()
-{
-    if (data_) data_->users.fetch_sub(1, std::memory_order_relaxed);
+    if (TrimeshData* const data = data_of(geom)) data->users.fetch_add(1, std::memory_order_relaxed);
 }
 
 }  // namespace epode

@@ -95,13 +95,10 @@ TrimeshGeom* as_trimesh(Geom& geom);
 class MeshHold {
   public:
     explicit MeshHold(Geom& geom);
-    MeshHold(const MeshHold&) = delete;
-    MeshHold& operator=(const MeshHold&) = delete;
-    ~MeshHold();
 
   private:
     GeomHold geom_;
-    TrimeshData* data_;
+    CallGuard data_;
 };
 
 }  // namespace epode

@@ -28,12 +28,12 @@ namespace {
 // The geom or one that would die with it is relied on.
 bool in_use(const Geom& geom)
 {
-    if (geom.dying || geom.users.load(std::memory_order_relaxed) > 0) return true;
+    if (is_dying(geom) || is_held(geom)) return true;
     if (const TransformGeom* transform = as_transform(const_cast<Geom&>(geom)))
         return transform->inner && transform->cleanup && in_use(*transform->inner);
     if (!is_space(geom)) return false;
     const Space& space = static_cast<const Space&>(geom);
-    if (space.locks > 0) return true;
+    if (is_locked(space)) return true;
     if (!space.cleanup) return false;
     for (const Geom* m : space.geoms)
         if (m && in_use(*m)) return true;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "collide/collide.h"
 #include "collide/surfaces/height_function.h"
 #include "collide/types/registry.h"
 
@@ -19,7 +20,7 @@ Aabb aabb(Geom& geom)
     TransformGeom& transform = static_cast<TransformGeom&>(geom);
     if (!transform.inner) return {};
     Geom& inner = *transform.inner;
-    const PlacedElsewhere placed(inner, pose_of(transform) * pose_of(inner));
+    const PlacedElsewhere placed(inner, pose_of(transform) * pose_of(inner), may_call_program(inner));
     return inner.type->aabb(inner);
 }
 
@@ -115,7 +116,7 @@ bool dies_with(const Geom& geom, const TransformGeom& transform)
 
 bool may_let_go(const TransformGeom& transform)
 {
-    if (transform.users.load(std::memory_order_relaxed) > 0) return false;
+    if (is_held(transform)) return false;
     return !transform.inner || !transform.cleanup || may_destroy(*transform.inner);
 }
 
@@ -151,26 +152,43 @@ void set_transform_geom(TransformGeom& transform, Geom* inner)
     mark_changed(transform);
 }
 
-PlacedElsewhere::PlacedElsewhere(Geom& geom, const Pose& pose)
+PlacedElsewhere::PlacedElsewhere(Geom& geom, const Pose& pose, bool called)
     : geom_(geom),
       old_position_(geom.position),
       old_rotation_(geom.rotation),
       old_box_(geom.box),
-      old_stale_(geom.box_stale)
+      old_stale_(geom.box_stale),
+      own_(called ? static_cast<Place*>(allocate(sizeof(Place))) : nullptr),
+      guard_(own_ ? put_back : nullptr, &geom, own_)
 {
-    store(position_, pose.p);
-    store_mat(rotation_, pose.R);
-    geom.position = position_;
-    geom.rotation = rotation_;
+    Place& place = own_ ? *own_ : here_;
+    store(place.position, pose.p);
+    place.position[3] = 0;
+    store_mat(place.rotation, pose.R);
+    geom.position = place.position;
+    geom.rotation = place.rotation;
     geom.box_stale = true;
 }
 
 PlacedElsewhere::~PlacedElsewhere()
 {
+    if (own_ && !guard_.end()) return;
     geom_.position = old_position_;
     geom_.rotation = old_rotation_;
     geom_.box = old_box_;
     geom_.box_stale = old_stale_;
+    release(own_, sizeof(Place));
+}
+
+// A function of the program has left what had placed it.
+void PlacedElsewhere::put_back(void* id, const void* place, std::size_t)
+{
+    Geom& geom = *static_cast<Geom*>(id);
+    const bool shared = geom.body.id && !geom.offset;
+    geom.position = shared ? geom.body.position : geom.own_position;
+    geom.rotation = shared ? geom.body.rotation : geom.own_rotation;
+    geom.box_stale = true;
+    release(const_cast<void*>(place), sizeof(Place));
 }
 
 }  // namespace epode

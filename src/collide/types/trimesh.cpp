@@ -174,7 +174,7 @@ void dGeomTriMeshSetData(dGeomID g, dTriMeshDataID Data)
     EPODE_USER(data || !Data);
     EPODE_OUTSIDE_HEIGHT_FUNCTION();
     EPODE_UNLOCKED(geom);
-    EPODE_USER_SAY(geom->users.load(std::memory_order_relaxed) == 0, "Invalid operation during a collision");
+    EPODE_USER_SAY(!is_held(*geom), "Invalid operation during a collision");
     geom->use(data);
     mark_changed(*geom);
 }

@@ -39,10 +39,31 @@ void to_bounds(const Aabb& box, Real out[6])
     for (int i = 0; i < 3; ++i) out[2 * i] = box.lo[i], out[2 * i + 1] = box.hi[i];
 }
 
+// Holds a geom while its box is made. If that is left, the box has to be made later.
+class BoxHold {
+  public:
+    explicit BoxHold(Geom& geom) : guard_(leave, &geom), geom_(geom) { geom.users.fetch_add(1); }
+    ~BoxHold()
+    {
+        if (guard_.end()) geom_.users.fetch_sub(1);
+    }
+
+  private:
+    static void leave(void* id, const void*, std::size_t)
+    {
+        Geom& geom = *static_cast<Geom*>(id);
+        geom.users.fetch_sub(1);
+        mark_stepped(geom);
+    }
+
+    CallGuard guard_;
+    Geom& geom_;
+};
+
 Aabb aabb(Geom& geom)
 {
     Real b[6] = {};
-    const GeomHold hold(geom);
+    const BoxHold hold(geom);
     const CallerFloatEnvironment program;
     static_cast<UserGeom&>(geom).functions.aabb(to_handle(&geom), b);
     return {{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};

@@ -181,7 +181,8 @@ int dJointSetCouplingAxis(dJointID id, int i, dJointID joint_id, int axis, dReal
     if (!place) return 0;
     Coupling& coupling = *checked<Coupling>(id);
     Joint* const joint = from_handle<Joint>(joint_id);
-    EPODE_USER_SAY(coupling.world && !coupling.world->stepping, "Invalid operation during a step", 0);
+    EPODE_USER(coupling.world, 0);
+    EPODE_USER_SAY(!is_busy(coupling), busy_text(*coupling.world), 0);
     if (joint_id) {
         const char* const fault = fault_of(coupling, joint, axis, factor);
         EPODE_USER_SAY(!fault, fault, 0);

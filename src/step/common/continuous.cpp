@@ -27,7 +27,7 @@ template <typename F>
 bool each_geom(const Body& body, F&& f)
 {
     for (Geom* g = from_handle<Geom>(body.first_geom); g; g = g->body_next) {
-        const GeomHold hold(*g);
+        const GeomHold hold(*g, geom_calls_program(*g));
         if (!f(*g)) return false;
     }
     return true;
@@ -67,11 +67,20 @@ bool Continuous::stop_at_impacts()
     if (!choose_active()) return true;
     join_groups();
     if (!list_items()) return false;
+    if (!meet_while_held()) return false;
+    place_bodies();
+    return true;
+}
+
+bool Continuous::meet_while_held()
+{
+    const auto let_go = [](void*, const void* items, std::size_t count) {
+        for (const Item& item : std::span(static_cast<const Item*>(items), count))
+            item.geom->users.fetch_sub(1, std::memory_order_relaxed);
+    };
+    const CallGuard guard(let_go, nullptr, items_.data(), items_.size());
     for (const Item& item : items_) item.geom->users.fetch_add(1, std::memory_order_relaxed);
-    const bool has_memory = meet_all();
-    for (const Item& item : items_) item.geom->users.fetch_sub(1, std::memory_order_relaxed);
-    if (has_memory) place_bodies();
-    return has_memory;
+    return meet_all();
 }
 
 bool Continuous::meet_all()
@@ -282,7 +291,8 @@ bool Continuous::meet_others(const Item& item)
     if (!collect_near(*item.root, {geom.category, geom.collide}, grown(item.way, others_max_distance_),
                       lists_.near))
         return false;
-    const CandidateLock lock(item.root, lists_.near);
+    const bool called = may_call_program(lists_.near.span(), {});
+    const CandidateLock lock(called ? item.root : nullptr, lists_.near);
     for (Geom* other : lists_.near) {
         const int body = index_of(*other);
         const State* state = body >= 0 ? &states_[std::size_t(body)] : nullptr;

@@ -75,6 +75,7 @@ class Continuous {
     bool stops(const Geom& a, const Geom& b) const;
     bool rule_for(const Mover& a, const Mover& b, const Body& body, const Body* other,
                   ImpactRule& rule) const;
+    bool meet_while_held();
     bool meet_all();
     bool meet_others(const Item& item);
     bool meet_each_other();

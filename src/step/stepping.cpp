@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "step/stepping.h"
+
+#include <utility>
+
+#include "joints/breaking.h"
+#include "step/common/link.h"
+
+namespace epode {
+namespace {
+
+// A function of the program has left the step. Made, it ends without further callbacks. Before, it is taken back; but
+// where no body had been stepped yet, the bodies are as the program has seen and perhaps changed them since.
+void settle_bodies(World& world, StepState& state)
+{
+    StepUnderway& step = state.underway;
+    if (step.made) return finish_silently(step.unfinished, state.runaways);
+    state.contacts.take_back();
+    state.runaways.take_back();
+    forget_loads(world);
+    if (step.ran) step.undo->restore();
+    for (Body& body : world.bodies) {
+        body.manifolds = nullptr;
+        body_stepped(body);
+    }
+    world.step_count -= step.counted;
+}
+
+void abandon_step(World& world, StepState& state)
+{
+    StepUnderway& step = state.underway;
+    settle_bodies(world, state);
+    if (Space* const space = state.world_contacts.live_space()) note_geoms_marked(*space);
+    world.report_made = state.ledger_made = false;
+    if (state.events.list().wants_any()) state.events.lose();
+    std::exchange(step.memory, nullptr)->end();
+    for (StepObserver* o : state.observers())
+        if (o && o->end) o->end(*o, world, step.h, step.made);
+}
+
+}  // namespace
+
+void Stepping::leave(void* id, const void*, std::size_t before)
+{
+    World& world = *static_cast<World*>(id);
+    mark_busy(world, Busy(before));
+    if (world.step_state && world.step_state->underway.memory) abandon_step(world, *world.step_state);
+}
+
+}  // namespace epode
