@@ -24,7 +24,7 @@ int dWorldStepHybrid(dWorldID w, dReal stepsize)
 {
     World* const world = from_handle<World>(w);
     EPODE_USER(world && usable(stepsize) && stepsize > 0, 0);
-    EPODE_USER_SAY(!in_step(*world), busy_text(*world), 0);
+    EPODE_MAY_STEP(*world);
     EPODE_USER_SAY(step_world_hybrid(*world, stepsize), kOutOfMemory, 0);
     report_runaways(*world);
     return 1;
@@ -40,7 +40,7 @@ int dWorldsStep(const dWorldID* worlds, int count, dReal stepsize, int stepper, 
     for (int i = 0; i < count; ++i) {
         World* const world = from_handle<World>(worlds[i]);
         EPODE_USER(world, 0);
-        EPODE_USER_SAY(!in_step(*world), busy_text(*world), 0);
+        EPODE_MAY_STEP(*world);
     }
     int whole = 0;
     const char* wrong =

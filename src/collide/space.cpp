@@ -112,6 +112,15 @@ bool still_locked(const Space& space)
     return space.locks > 0;
 }
 
+bool any_locked(const Space& space)
+{
+    if (is_locked(space)) return true;
+    if (space.helped == 0) return false;
+    return std::any_of(space.geoms.begin(), space.geoms.end(), [](const Geom* inner) {
+        return inner && is_space(*inner) && any_locked(static_cast<const Space&>(*inner));
+    });
+}
+
 // Locks a space while its members get their boxes. If that is left, all have to be looked at later.
 class Cleaning {
   public:

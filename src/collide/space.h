@@ -90,6 +90,7 @@ class DeepLock {
 
 [[gnu::cold]] bool still_locked(const Space& space);
 inline bool is_locked(const Space& space) { return space.locks > 0 && still_locked(space); }
+bool any_locked(const Space& space);  // it or one in it, at any depth
 
 // The space that holds all that the geom is in; null: it is in none.
 inline Space* outermost_space(const Geom& geom)

@@ -73,6 +73,8 @@ struct StepState {
 
 // Is the world busy, or another world that shares its working memory?
 inline bool in_step(const World& world) { return is_busy(world) || (world.memory && world.memory->in_use()); }
+// Why the world must not be stepped now; null: it may.
+const char* fault_of_step(World& world);
 
 // The world's working memory, created if it has none; null when memory is exhausted.
 StepMemory* working_memory(World& world);
@@ -100,3 +102,7 @@ void report_runaways(World& world);
 std::span<const dIslandStepReport> island_reports(const World& world);
 
 }  // namespace epode
+
+// In namespace epode.
+#define EPODE_MAY_STEP(world) \
+    if (const char* const epode_fault = fault_of_step(world)) { EPODE_USER_SAY(false, epode_fault, 0); }

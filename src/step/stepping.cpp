@@ -39,6 +39,16 @@ void abandon_step(World& world, StepState& state)
         if (o && o->end) o->end(*o, world, step.h, step.made);
 }
 
+// Would a step move geoms of a space that is being walked over, or look for pairs in it?
+bool moves_locked(World& world, const StepState* state)
+{
+    const Space* const space = state ? state->world_contacts.live_space() : nullptr;
+    if (space && any_locked(*space)) return true;
+    for (const Body& body : world.bodies)
+        if (in_locked_space(body)) return true;
+    return false;
+}
+
 }  // namespace
 
 void Stepping::leave(void* id, const void*, std::size_t before)
@@ -46,6 +56,16 @@ void Stepping::leave(void* id, const void*, std::size_t before)
     World& world = *static_cast<World*>(id);
     mark_busy(world, Busy(before));
     if (world.step_state && world.step_state->underway.memory) abandon_step(world, *world.step_state);
+}
+
+const char* fault_of_step(World& world)
+{
+    if (in_step(world)) return busy_text(world);
+    // Locks of other threads are not looked for: to step what another thread collides is the program's fault.
+    if (!CallGuard::any()) return nullptr;
+    CallGuard::release_left();
+    if (!CallGuard::any() || !moves_locked(world, world.step_state)) return nullptr;
+    return "Invalid operation for locked space: the step would move its geoms or collide it";
 }
 
 }  // namespace epode

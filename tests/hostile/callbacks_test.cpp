@@ -145,6 +145,42 @@ TEST_F(Callbacks, near_everything_outside_the_space_may_go)
     EXPECT_EQ(dGeomGetBody(sphere[0]), nullptr);
 }
 
+// The walk goes over a list of pairs that a step would replace.
+TEST_F(Callbacks, near_no_step_moves_what_is_collided)
+{
+    const dWorldID second = dWorldCreate();
+    dBodyCreate(second);
+    const auto every_step = [](dWorldID w) {
+        return dWorldStep(w, dReal(0.01)) + dWorldQuickStep(w, dReal(0.01)) +
+               dWorldStepFast1(w, dReal(0.01), 4) + dWorldStepHybrid(w, dReal(0.01)) +
+               dWorldsStep(&w, 1, dReal(0.01), 0, 1, 1, 1, nullptr);
+    };
+    g_act = [&, this] {
+        EXPECT_EQ(every_step(world), 0) << "a body of it has a geom in the space";
+        expect_refused(5);
+        EXPECT_NE(g_text.find("locked space: the step would move"), std::string::npos) << g_text;
+        EXPECT_EQ(every_step(second), 5);
+        expect_refused(0);
+    };
+    EXPECT_EQ(pairs(), 3);
+    dGeomSetBody(sphere[0], nullptr);
+    const dSpaceID around = dSimpleSpaceCreate(nullptr);
+    dSpaceAdd(around, reinterpret_cast<dGeomID>(space));
+    for (dSpaceID contacts : {space, around}) {
+        dWorldSetContactSpace(second, contacts);
+        g_act = [&, this] {
+            EXPECT_EQ(every_step(second), 0) << "it looks for contacts in the space";
+            expect_refused(5);
+        };
+        EXPECT_EQ(pairs(), 3);
+        EXPECT_EQ(every_step(second), 5);
+    }
+    dSpaceRemove(around, reinterpret_cast<dGeomID>(space));
+    dSpaceDestroy(around);
+    dWorldDestroy(second);
+    expect_refused(0);
+}
+
 TEST_F(Callbacks, near_a_geom_outside_stays_while_it_is_collided_with_a_space)
 {
     int count = 0;
