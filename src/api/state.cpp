@@ -24,6 +24,14 @@ std::span<const std::byte> bytes(const void* data, std::size_t size)
 
 constexpr int kMaxHistory = 100000;  // frames
 
+// What sensors overlap is found again, for which functions of the program may be called.
+template <typename Call>
+const char* marked(World& world, Call&& call)
+{
+    const CopyMark mark(world);
+    return call();
+}
+
 }  // namespace
 
 #define IDLE_WORLD_OR(result)                   \
@@ -68,7 +76,8 @@ int dWorldSetState(dWorldID w, const void* buffer, size_t size)
     STATE_OR(0);
     EPODE_USER_SAY(state.prepare(), kOutOfMemory, 0);
     EPODE_USER_SAY(!state.is_locked(), EPODE_LOCKED_TEXT, 0);
-    const char* const wrong = state.set(static_cast<const std::byte*>(buffer), size);
+    const char* const wrong =
+        marked(*world, [&] { return state.set(static_cast<const std::byte*>(buffer), size); });
     EPODE_USER_SAY(!wrong, wrong, 0);
     return 1;
 }
@@ -102,7 +111,8 @@ int dWorldSetStateDelta(dWorldID w, const void* base, size_t base_size, const vo
     STATE_OR(0);
     EPODE_USER_SAY(state.prepare(), kOutOfMemory, 0);
     EPODE_USER_SAY(!state.is_locked(), EPODE_LOCKED_TEXT, 0);
-    wrong = state.set(reinterpret_cast<const std::byte*>(whole.data()), 4 * std::size_t(whole.size()));
+    const auto* const restored = reinterpret_cast<const std::byte*>(whole.data());
+    wrong = marked(*world, [&] { return state.set(restored, 4 * std::size_t(whole.size())); });
     EPODE_USER_SAY(!wrong, wrong, 0);
     return 1;
 }
@@ -154,7 +164,7 @@ int dWorldRollBack(dWorldID w, int frames)
     WorldState& state = archive_of(*world)->state;  // is there if a history is
     EPODE_USER_SAY(state.prepare(), kOutOfMemory, 0);
     EPODE_USER_SAY(!state.is_locked(), EPODE_LOCKED_TEXT, 0);
-    const char* const wrong = history->roll_back(frames);
+    const char* const wrong = marked(*world, [&] { return history->roll_back(frames); });
     EPODE_USER_SAY(!wrong, wrong, 0);
     return 1;
 }

@@ -14,6 +14,8 @@
 
 namespace epode {
 
+class HeightSamples;
+
 class ShapeStream : public StructureStream {
   public:
     using StructureStream::StructureStream;
@@ -42,6 +44,10 @@ class ShapeStream : public StructureStream {
         if (destroy) destroy(made);
         return nullptr;
     }
+    // Of height functions, for what is saved.
+    void lend(const HeightSamples& heights) { heights_ = &heights; }
+    const HeightSamples* heights() const { return heights_; }
+
     // A geom that comes before this one, or null.
     void geom(Geom*& one);
 
@@ -67,6 +73,7 @@ class ShapeStream : public StructureStream {
     bool note(const void* object, const void* kind, void (*destroy)(void*));
     void* shared_at(int i, const void* kind);
 
+    const HeightSamples* heights_ = nullptr;
     Array<Object> objects_;
     PointerNumbers numbers_, geom_numbers_;
     Array<Geom*> geoms_;

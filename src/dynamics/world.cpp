@@ -33,8 +33,9 @@ bool still_busy(const World& world)
     return world.busy != Busy::kNo;
 }
 
-const char* busy_text(const World&)
+const char* busy_text(const World& world)
 {
+    if (world.busy == Busy::kCopy) return "Invalid operation while the world is saved, copied or restored";
     return "Invalid operation during a step";
 }
 

@@ -26,7 +26,7 @@ struct StepState;
 inline constexpr Real kDefaultCfm = kSingle ? Real(1e-5) : Real(1e-10);
 
 // What the library is doing with a world while it may call functions of the program.
-enum class Busy : std::uint8_t { kNo, kStep };
+enum class Busy : std::uint8_t { kNo, kStep, kCopy };
 
 struct World : Tagged {
     World();
@@ -104,6 +104,18 @@ bool any_world_busy();  // of this process
     const World& world);  // if no function of the program has left what kept it busy
 inline bool is_busy(const World& world) { return world.busy != Busy::kNo && still_busy(world); }
 inline bool is_busy(const Joint& joint) { return joint.world && is_busy(*joint.world); }
+// Marks a world that is saved, copied or restored: height functions and sensors' shapes may call the program.
+class CopyMark {
+  public:
+    explicit CopyMark(World& world) : guard_(unmark, &world) { mark_busy(world, Busy::kCopy); }
+
+  private:
+    static void unmark(void* world, const void*, std::size_t)
+    {
+        mark_busy(*static_cast<World*>(world), Busy::kNo);
+    }
+    CallGuard guard_;
+};
 // Why the call is refused.
 const char* busy_text(const World& world);
 

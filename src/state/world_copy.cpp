@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "base/streams/checksum.h"
+#include "collide/surfaces/height_samples.h"
 #include "state/world_archive.h"
 #include "state/world_file.h"
 #include "state/world_structure.h"
@@ -68,6 +69,21 @@ const char* build(ShapeStream& stream, std::span<const std::byte> state, Seal wi
     return nullptr;
 }
 
+// Height functions may change the world, so they are called before anything of it is saved.
+const char* sample_heights(World& world, Space* space, HeightSamples& heights, Text text)
+{
+    Array<std::byte> none;
+    ShapeStream stream(none, Use::kFile);
+    WorldStructure found(world, space, stream);
+    if (!found.gather()) return put(text, stream.text());
+    for (const Geom* geom : found.geoms()) {
+        if (geom->type->number != dHeightfieldClass) continue;
+        const HeightfieldData* const data = static_cast<const ShapeGeom<Heightfield>*>(geom)->shape.field();
+        if (data && !heights.take(*data)) return kOutOfMemory;
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 void HandleTable::write(const WorldStructure& from, int column) const
@@ -88,6 +104,7 @@ void HandleTable::write(const WorldStructure& from, int column) const
 const char* clone_world(World& world, Space* space, WorldCopy& out, HandleTable table, char* text,
                         std::size_t text_size)
 {
+    const CopyMark mark(world);
     Array<std::byte> bytes;
     ShapeStream stream(bytes, Use::kClone);
     WorldStructure original(world, space, stream);
@@ -103,8 +120,12 @@ const char* clone_world(World& world, Space* space, WorldCopy& out, HandleTable 
 
 const char* save_world(World& world, Space* space, Array<std::byte>& out, char* text, std::size_t text_size)
 {
+    const CopyMark mark(world);
+    HeightSamples heights;
+    if (const char* wrong = sample_heights(world, space, heights, {text, text_size})) return wrong;
     if (!out.resize(sizeof(WorldFileHeader))) return kOutOfMemory;
     ShapeStream stream(out, Use::kFile);
+    stream.lend(heights);
     WorldStructure original(world, space, stream);
     if (original.gather()) original.save();
     if (stream.failed()) return put({text, text_size}, stream.text());

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "../effort.h"
 #include "checksum.h"
@@ -90,6 +91,114 @@ TEST(WorldFileRefusals, during_a_step)
     dBodySetMovedCallback(scene.bodies[0], try_in_step);
     scene.step();
     EXPECT_EQ(Messages::count(), 4);
+}
+
+// What a height function tries while its world is saved or restored.
+struct Hills {
+    Hills()
+    {
+        heights = dGeomHeightfieldDataCreate();
+        dGeomHeightfieldDataBuildCallback(heights, this, height, 8, 8, 4, 4, 1, 0, 1, 0);
+        dGeomHeightfieldDataSetBounds(heights, -1, 1);
+        field = dCreateHeightfield(space, heights, 1);
+        dWorldSetContactSpace(world, space);
+        for (dBodyID& b : body) b = dBodyCreate(world);
+        dGeomSetBody(ball, body[0]);
+        dJointAttach(joint, body[0], body[1]);
+        dGeomSetSensor(ball, 1);
+        dEventSettings events;
+        dEventSettingsInit(&events, sizeof events);
+        events.kinds = ~0u >> (32 - 6);
+        dWorldSetEventSettings(world, &events);
+        dWorldSetHistory(world, 4);
+        for (int i = 0; i < 2; ++i) dWorldStepHybrid(world, dReal(0.01));
+    }
+    ~Hills()
+    {
+        dWorldDestroy(world);
+        dSpaceDestroy(space);
+        dGeomHeightfieldDataDestroy(heights);
+    }
+    static dReal height(void* user, int, int)
+    {
+        Hills& h = *static_cast<Hills*>(user);
+        if (!std::exchange(h.acts, false)) return 0;
+        const int before = Messages::count();
+        dWorldDestroy(h.world);
+        dBodyDestroy(h.body[0]), dJointDestroy(h.joint), dJointAttach(h.joint, h.body[1], h.body[0]);
+        EXPECT_EQ(dWorldStep(h.world, dReal(0.01)) + dWorldStepFast1(h.world, dReal(0.01), 4), 0);
+        EXPECT_EQ(dWorldSaveToBuffer(h.world, nullptr, nullptr, 0), 0u);
+        EXPECT_EQ(dWorldRollBack(h.world, 1), 0);
+        EXPECT_EQ(dWorldSetHistory(h.world, 0), 0);
+        EXPECT_EQ(Messages::count(), before + 9) << Messages::last();
+        EXPECT_NE(Messages::last().find("while the world is saved, copied or restored"), std::string::npos);
+        for (int i = 0; i < 200; ++i) dBodyCreate(h.world);
+        dBodySetPosition(h.body[1], 5, 5, 5);
+        h.acted = true;
+        return 0;
+    }
+
+    dWorldID world = dWorldCreate();
+    dSpaceID space = dHashSpaceCreate(nullptr);
+    dHeightfieldDataID heights;
+    dGeomID field, ball = dCreateSphere(space, 1);
+    dBodyID body[2];
+    dJointID joint = dJointCreateBall(world, nullptr);
+    bool acts = false, acted = false;
+};
+
+TEST(HeightFunctions, cannot_tear_a_file)
+{
+    const Messages messages;
+    Hills hills;
+    Bytes file(1 << 20);
+    hills.acts = true;
+    file.resize(dWorldSaveToBuffer(hills.world, nullptr, file.data(), file.size()));
+    EXPECT_TRUE(hills.acted);
+    dSpaceID space = nullptr;
+    const dWorldID loaded = load(file, &space);
+    ASSERT_NE(loaded, nullptr) << Messages::last();
+    EXPECT_EQ(dWorldGetBodies(loaded, nullptr, 0), 202) << "those that the function has made";
+    dBodyID bodies[2];
+    dWorldGetBodies(loaded, bodies, 2);
+    EXPECT_EQ(dBodyGetPosition(bodies[1])[0], 5) << "where the function has put it";
+    dWorldDestroy(loaded);
+    dSpaceDestroy(space);
+}
+
+TEST(HeightFunctions, cannot_change_a_world_that_is_restored)
+{
+    const Messages messages;
+    Hills hills;
+    Bytes state(dWorldGetStateSize(hills.world));
+    dWorldGetState(hills.world, state.data(), state.size());
+    hills.acts = true;
+    EXPECT_EQ(dWorldSetState(hills.world, state.data(), state.size()), 1) << Messages::last();
+    EXPECT_TRUE(hills.acted);
+}
+
+TEST(HeightFunctions, cannot_change_a_world_that_is_rolled_back)
+{
+    const Messages messages;
+    Hills hills;
+    hills.acts = true;
+    EXPECT_EQ(dWorldRollBack(hills.world, 1), 1) << Messages::last();
+    EXPECT_TRUE(hills.acted);
+    dWorldStepHybrid(hills.world, dReal(0.01));
+}
+
+TEST(HeightFunctions, are_not_called_by_clones)
+{
+    const Messages messages;
+    Hills hills;
+    dSpaceID space = hills.space;
+    hills.acts = true;
+    const dWorldID clone = dWorldClone(hills.world, &space, nullptr, 0);
+    ASSERT_NE(clone, nullptr) << Messages::last();
+    EXPECT_FALSE(hills.acted);
+    hills.acts = false;
+    dWorldDestroy(clone);
+    dSpaceDestroy(space);
 }
 
 TEST(WorldFileRefusals, a_body_of_another_world)

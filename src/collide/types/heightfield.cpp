@@ -10,6 +10,7 @@
 #include "base/memory.h"
 #include "collide/describe.h"
 #include "collide/surfaces/height_function.h"
+#include "collide/surfaces/height_samples.h"
 #include "collide/types/registry.h"
 
 namespace epode {
@@ -90,6 +91,22 @@ void load_samples(HeightfieldData& d, StructureStream& stream)
         if (!stream.demand(usable(block[k]) && usable(block[k] * d.scale + d.offset), kNoField)) return;
 }
 
+// What is given by a function has been sampled before.
+void save_samples(const HeightfieldData& d, ShapeStream& stream)
+{
+    const bool by_function = d.source == HeightfieldData::Source::kCallback;
+    const std::span<const Real> known =
+        by_function && stream.heights() ? stream.heights()->of(d) : std::span<const Real>();
+    const int count = d.nx * d.nz;
+    if (by_function && known.size() != std::size_t(count))
+        return stream.fail("a height function has added a height field while the world was saved");
+    (void)stream.count(count, sizeof(Real), "");
+    for (int k = 0; k < count && !stream.failed(); ++k) {
+        Real height = by_function ? known[std::size_t(k)] : d.sample(k % d.nx, k / d.nx);
+        stream.real(height);
+    }
+}
+
 void holes_in_file(HeightfieldData& d, StructureStream& stream)
 {
     const int cells = stream.count(d.hole_count > 0 ? d.holes.size() : 0, 1, "cells of a field");
@@ -102,7 +119,7 @@ void holes_in_file(HeightfieldData& d, StructureStream& stream)
     for (unsigned char& hole : d.holes) hole = hole != 0, d.hole_count += hole;
 }
 
-void field_in_file(HeightfieldData& d, StructureStream& stream)
+void field_in_file(HeightfieldData& d, ShapeStream& stream)
 {
     bool built = d.source != HeightfieldData::Source::kNone;
     stream.flag(built);
@@ -112,17 +129,12 @@ void field_in_file(HeightfieldData& d, StructureStream& stream)
     if (stream.loads()) {
         load_samples(d, stream);
     } else {
-        (void)stream.count(d.nx * d.nz, sizeof(Real), "");
-        for (int j = 0; j < d.nz && !stream.failed(); ++j)
-            for (int i = 0; i < d.nx; ++i) {
-                Real height = d.sample(i, j);
-                stream.real(height);
-            }
+        save_samples(d, stream);
     }
     if (!stream.failed()) holes_in_file(d, stream);
 }
 
-HeightfieldData* visit_field(HeightfieldData* data, StructureStream& stream)
+HeightfieldData* visit_field(HeightfieldData* data, ShapeStream& stream)
 {
     HeightfieldData* const d = data ? data : Pool<HeightfieldData>::create();
     if (!stream.demand(d, kOutOfMemory)) return nullptr;
