@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "api/behaviour.h"
+#include "base/messages.h"
 #include "base/objects/pool.h"
 #include "base/objects/struct_size.h"
 #include "dynamics/world.h"
@@ -52,8 +53,13 @@ void dWorldDestroy(dWorldID w)
 {
     EPODE_WORLD_OR();
     EPODE_USER_SAY(!is_busy(*world), busy_text(*world));
+    mark_busy(*world, Busy::kEnd);  // the program's memory functions may be called
+    int grouped = 0;
+    for (const Joint& joint : world->joints) grouped += joint.grouped;
     for (Body& b : world->bodies) release_geoms(b);
     Pool<World>::destroy(world);
+    // Last: a handler may do anything, and need not return.
+    for (int i = 0; i < grouped; ++i) note(0, "warning: destroying world containing grouped joints");
 }
 
 void dWorldSetData(dWorldID w, void* data)

@@ -9,7 +9,6 @@
 #include <atomic>
 
 #include "base/call_guard.h"
-#include "base/messages.h"
 
 namespace epode {
 namespace {
@@ -36,6 +35,7 @@ bool still_busy(const World& world)
 const char* busy_text(const World& world)
 {
     if (world.busy == Busy::kCopy) return "Invalid operation while the world is saved, copied or restored";
+    if (world.busy == Busy::kEnd) return "Invalid operation while the world is destroyed";
     return "Invalid operation during a step";
 }
 
@@ -47,7 +47,6 @@ World::~World()
     while (joints.count() > 0) {
         Joint& joint = joints.newest();
         if (joint.grouped) {
-            note(0, "warning: destroying world containing grouped joints");
             detach(joint);
             unlink_from_world(joint);
         } else {
@@ -56,6 +55,7 @@ World::~World()
     }
     if (step_state) free_step_state(step_state);
     StepMemory::let_go(memory);
+    mark_busy(*this, Busy::kNo);
 }
 
 }  // namespace epode

@@ -26,7 +26,7 @@ struct StepState;
 inline constexpr Real kDefaultCfm = kSingle ? Real(1e-5) : Real(1e-10);
 
 // What the library is doing with a world while it may call functions of the program.
-enum class Busy : std::uint8_t { kNo, kStep, kCopy };
+enum class Busy : std::uint8_t { kNo, kStep, kCopy, kEnd };
 
 struct World : Tagged {
     World();

@@ -181,6 +181,28 @@ TEST_F(Callbacks, near_no_step_moves_what_is_collided)
     expect_refused(0);
 }
 
+dWorldID g_dying = nullptr;
+int g_notes = 0;
+void destroy_again(int, const char*, va_list)
+{
+    ++g_notes;
+    dWorldDestroy(g_dying);
+}
+
+TEST_F(Callbacks, message_handlers_may_destroy_what_the_message_is_about)
+{
+    g_dying = dWorldCreate();
+    const dJointGroupID group = dJointGroupCreate(0);
+    for (int i = 0; i < 3; ++i) dJointAttach(dJointCreateBall(g_dying, group), dBodyCreate(g_dying), nullptr);
+    dSetMessageHandler(destroy_again);
+    dWorldDestroy(g_dying);
+    dSetMessageHandler(nullptr);
+    EXPECT_EQ(g_notes, 3) << "one for each joint of a group";
+    expect_refused(3);
+    dJointGroupDestroy(group);
+    expect_refused(0);
+}
+
 TEST_F(Callbacks, near_a_geom_outside_stays_while_it_is_collided_with_a_space)
 {
     int count = 0;
