@@ -454,6 +454,135 @@ TEST_F(Callbacks, triangle_function_keeps_geoms_and_triangles)
     expect_refused(0);
 }
 
+int filter(void*, dGeomID, dGeomID)
+{
+    act();
+    return 1;
+}
+int keeps(void*, dGeomID)
+{
+    act();
+    return 1;
+}
+
+TEST_F(Callbacks, contact_filter_keeps_world_and_space)
+{
+    dWorldSetContactSpace(world, space);
+    dWorldSetContactFilter(world, filter, nullptr);
+    g_act = [this] {
+        EXPECT_EQ(dWorldStep(world, dReal(0.01)) + dWorldStepHybrid(world, dReal(0.01)), 0);
+        dWorldSetContactFilter(world, nullptr, nullptr);
+        dWorldDestroy(world);
+        dBodyDestroy(body);
+        dGeomDestroy(sphere[1]);
+        dSpaceAdd(space, lone);
+        dBodySetPosition(body, 5, 5, 5);
+        expect_refused(8);
+        EXPECT_NE(dBodyCreate(world), nullptr);
+        expect_refused(0);
+    };
+    EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
+    EXPECT_FALSE(g_act) << "the filter came";
+    EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
+    expect_refused(0);
+}
+
+TEST_F(Callbacks, query_filter_keeps_the_members)
+{
+    const dVector3 from = {0, 0, 5}, down = {0, 0, -1}, motion = {0, 0, -9};
+    const dReal length = 10;
+    dQueryFilter asked;
+    dQueryFilterInit(&asked, sizeof asked);
+    asked.callback = keeps;
+    dQueryHit hits[4];
+    dGeomID found[4];
+    dGeomSetPosition(lone, 0, 0, 5);
+    const std::function<void()> queries[] = {
+        [&] { dSpaceRayClosest(space, from, down, 10, &asked, hits); },
+        [&] { dSpaceRayAll(space, from, down, 10, &asked, hits, 4); },
+        [&] { dSpaceRayBatch(space, 1, from, down, &length, &asked, hits, 1); },
+        [&] { dSpaceCast(space, lone, motion, &asked, hits); },
+        [&] { dGeomSetPosition(lone, 0, 0, 0), dSpaceOverlap(space, lone, &asked, found, 4); },
+    };
+    for (const auto& query : queries) {
+        g_act = [this] {
+            dGeomDestroy(sphere[1]);
+            dSpaceRemove(space, sphere[1]);
+            dSpaceDestroy(space);
+            dBodySetPosition(body, 5, 5, 5);
+            EXPECT_EQ(dWorldStep(world, dReal(0.01)), 0);
+            expect_refused(5);
+        };
+        query();
+        EXPECT_FALSE(g_act) << "the callback came";
+    }
+    EXPECT_EQ(pairs(), 3);
+    expect_refused(0);
+}
+
+int may_meet(dGeomID, dGeomID, dReal*)
+{
+    act();
+    return 1;
+}
+
+TEST_F(Callbacks, box_test_function_keeps_the_geoms)
+{
+    const dGeomClass description = {8, collider_for, user_box, may_meet, nullptr};
+    const dGeomID user = dCreateGeom(dCreateGeomClass(&description));
+    g_act = [=, this] {
+        dGeomDestroy(user);
+        dGeomDestroy(lone);
+        expect_refused(2);
+    };
+    dSpaceCollide2(user, lone, nullptr, near_callback);
+    EXPECT_FALSE(g_act) << "the test came";
+    dGeomDestroy(user);
+    expect_refused(0);
+}
+
+TEST_F(Callbacks, collider_function_in_place_of_ours_keeps_the_geoms)
+{
+    dSetColliderOverride(dSphereClass, dSphereClass, collide_user);
+    dContactGeom contact;
+    g_act = [this] {
+        dGeomDestroy(sphere[1]);
+        dGeomDestroy(lone);
+        expect_refused(2);
+    };
+    EXPECT_EQ(dCollide(sphere[1], lone, 1, &contact, sizeof contact), 0);
+    EXPECT_FALSE(g_act) << "the collider came";
+    dSetColliderOverride(dSphereClass, dSphereClass, nullptr);
+}
+
+dThreadingFunctionsInfo g_functions;
+unsigned threads_of(dThreadingImplementationID impl)
+{
+    act();
+    return g_functions.retrieve_thread_count(impl);
+}
+
+TEST_F(Callbacks, threading_functions_leave_the_world_alone)
+{
+    const dThreadingImplementationID impl = dThreadingAllocateSelfThreadedImplementation();
+    g_functions = *dThreadingImplementationGetFunctions(impl);
+    dThreadingFunctionsInfo functions = g_functions;
+    functions.retrieve_thread_count = threads_of;
+    dWorldSetStepThreadingImplementation(world, &functions, impl);
+    g_act = [this] {
+        EXPECT_EQ(dWorldStep(world, dReal(0.01)), 0);
+        dWorldSetStepThreadingImplementation(world, nullptr, nullptr);
+        dBodyDestroy(body);
+        dWorldDestroy(world);
+        expect_refused(4);
+    };
+    EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
+    EXPECT_FALSE(g_act) << "the function came";
+    dWorldSetStepThreadingImplementation(world, nullptr, nullptr);
+    dThreadingFreeImplementation(impl);
+    expect_refused(0);
+}
+
 TEST_F(Callbacks, end_function_cannot_save_or_kill_twice)
 {
     const dGeomID user = dCreateGeom(user_class), transform = dCreateGeomTransform(nullptr);
