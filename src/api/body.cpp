@@ -5,7 +5,7 @@
 // in body_rules.cpp.
 #include "api/body_handle.h"
 #include "base/float_environment.h"
-#include "dynamics/sleeping_forces.h"
+#include "dynamics/sleep/sleeping_forces.h"
 #include "math/rotation.h"
 #include "ode/ode.h"
 #include "state/world_archive.h"

@@ -6,7 +6,7 @@
 // those with the fields. So only these are fetched, and a loop of its own reads each of the usual sets of fields.
 #include "base/check.h"
 #include "base/float_environment.h"
-#include "dynamics/sleeping_forces.h"
+#include "dynamics/sleep/sleeping_forces.h"
 #include "dynamics/world.h"
 #include "ode/state.h"
 #include "step/common/link.h"

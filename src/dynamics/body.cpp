@@ -10,7 +10,7 @@
 #include "base/streams/content_hash.h"
 #include "dynamics/active.h"
 #include "dynamics/joint.h"
-#include "dynamics/sleeping_forces.h"
+#include "dynamics/sleep/sleeping_forces.h"
 #include "dynamics/world.h"
 
 namespace epode {

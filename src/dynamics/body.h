@@ -39,7 +39,7 @@ struct Stillness {
     bool still = false;
 };
 
-// In the list of bodies that are asleep with forces (dynamics/sleeping_forces).
+// In the list of bodies that are asleep with forces (dynamics/sleep/sleeping_forces).
 struct ForcedLink {
     Body* next = nullptr;
     Body** from = nullptr;  // what points to the body; null: it is in no list
@@ -103,7 +103,7 @@ struct Body : Numbered {
     // ---- rest ----
     void (*moved)(dBodyID) = nullptr;
     // With exact rotation: angular momentum, body frame, that the angular velocity does not show
-    // (dynamics/exact_spin.cpp). Else zero.
+    // (dynamics/exact_spin.cpp). Else zero, as at the end of a step of a body on nothing.
     Vec3 spin_excess;
     Vec3 finite_axis;  // zero: none
     HybridState hybrid;
@@ -114,8 +114,8 @@ struct Body : Numbered {
     Array<Vec3> sample_v, sample_w;  // rings of sleep.samples velocities
     int sample_next = 0;
     bool samples_ready = false;
-    Stillness short_window, long_window;  // dynamics/sleep
-    Real settling_time = 0;  // that its island has been settling without falling asleep (dynamics/settle)
+    Stillness short_window, long_window;  // dynamics/sleep/sleep
+    Real settling_time = 0;  // that its island has been settling without falling asleep (dynamics/sleep/settle)
     std::uint64_t mass_hash = 0;  // tells `mass` from others
     std::uint64_t put_down = 0;   // when the program has disabled it: a number as of disturbances
     ForcedLink forced;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "dynamics/active.h"
-#include "dynamics/sleeping_forces.h"
+#include "dynamics/sleep/sleeping_forces.h"
 
 namespace epode {
 namespace {

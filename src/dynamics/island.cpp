@@ -17,7 +17,7 @@
 #include "base/prefetch.h"
 #include "dynamics/active.h"
 #include "dynamics/coupling.h"
-#include "dynamics/settle.h"
+#include "dynamics/sleep/settle.h"
 
 namespace epode {
 namespace {

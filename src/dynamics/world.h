@@ -40,7 +40,7 @@ struct World : Tagged {
     std::uint64_t connections_version = 0;
     int driven_joints = 0;  // that have JointDrives
     Array<CouplingJoint*> couplings;
-    Body* first_forced = nullptr;  // bodies that are asleep with forces: dynamics/sleeping_forces
+    Body* first_forced = nullptr;  // bodies that are asleep with forces: dynamics/sleep/sleeping_forces
 
     Vec3 gravity;
     Real erp = Real(0.2);

@@ -7,7 +7,7 @@
 
 #include "base/streams/state_stream.h"
 #include "base/streams/structure_stream.h"
-#include "dynamics/sleeping_forces.h"
+#include "dynamics/sleep/sleeping_forces.h"
 #include "dynamics/world.h"
 #include "math/rotation.h"
 #include "math/trig.h"

@@ -14,7 +14,7 @@
 #include "collide/describe.h"
 #include "collide/space.h"
 #include "dynamics/coupling.h"
-#include "dynamics/sleeping_forces.h"
+#include "dynamics/sleep/sleeping_forces.h"
 #include "step/common/link.h"
 
 namespace epode {

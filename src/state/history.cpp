@@ -8,7 +8,7 @@
 #include "base/objects/structure_edition.h"
 #include "collide/geom_leaves.h"
 #include "collide/space.h"
-#include "dynamics/sleeping_forces.h"
+#include "dynamics/sleep/sleeping_forces.h"
 #include "state/world_archive.h"
 #include "step/common/link.h"
 

@@ -49,7 +49,7 @@ struct HybridChoice {
 HybridChoice choose(const World& world, const Island& island, Real h);
 
 // The solver, but exact joints in place of the sweeps of substeps that a step of the last kStrainedSteps has
-// strained (step/island/strain.h), and in islands that settle (dynamics/settle.h).
+// strained (step/island/strain.h), and in islands that settle (dynamics/sleep/settle.h).
 const Solver& relieved(const Solver& solver, const Island& island);
 
 // After a step: stores what came of the method in the island's bodies and joints.

@@ -16,7 +16,7 @@
 #include "base/random.h"
 #include "dynamics/active.h"
 #include "dynamics/island.h"
-#include "dynamics/sleeping_forces.h"
+#include "dynamics/sleep/sleeping_forces.h"
 #include "joints/breaking.h"
 #include "step/common/link.h"
 #include "step/common/undo.h"

@@ -5,7 +5,7 @@
 #include "step/common/link.h"
 
 #include "collide/space.h"
-#include "dynamics/sleeping_forces.h"
+#include "dynamics/sleep/sleeping_forces.h"
 #include "dynamics/world.h"
 #include "math/rotation.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
-#include "dynamics/settle.h"
+#include "dynamics/sleep/settle.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,12 +3,12 @@
 //
 // ODE's average is that of the velocity vectors over the whole ring; until the ring has been filled once, no
 // body is idle by it.
-#include "dynamics/sleep.h"
+#include "dynamics/sleep/sleep.h"
 
 #include <algorithm>
 
 #include "dynamics/joint.h"
-#include "dynamics/sleeping_forces.h"
+#include "dynamics/sleep/sleeping_forces.h"
 
 namespace epode {
 namespace {

@@ -16,7 +16,7 @@
 // Without auto-disable there is no settling, and steps are unchanged.
 #pragma once
 
-#include "dynamics/sleep.h"
+#include "dynamics/sleep/sleep.h"
 
 namespace epode {
 
