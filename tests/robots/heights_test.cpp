@@ -325,7 +325,7 @@ TEST_F(Heights, whose_files_lie_are_errors)
     const std::pair<std::string, std::string> pictures[] = {
         {"", "is no PNG"},
         {"nothing of the kind, though long enough", "is no PNG"},
-        {wide, "2 rows of 2.13071e+09 samples"},
+        {wide, "2 rows of 2130706434 samples"},
         {endless, "is a broken PNG"}};
     const Folder folder;
     for (const auto& [bytes, wanted] : files) {

@@ -86,6 +86,8 @@ void seize(Run& run)
 
 // Substeps are solved at poses in between: off by what the bodies turn in a step.
 double inner_bound(const Setting& setting) { return 100 * 4 * setting.h(); }
+// So is the second half of a projected step, at the poses of its end: of second order.
+double end_bound(const Setting& setting) { return 2000 * setting.h() * setting.h(); }
 
 }  // namespace
 
@@ -102,7 +104,9 @@ extern const Scene kSeizedPair{
       "change of the angular momentum in a step",
       "%",
       1e-4,
-      {{set_of(Method::kSubsteps), &inner_bound, "Substeps move the bodies in between (guide/steppers.md)"}}},
+      {{set_of(Method::kSubsteps), &inner_bound, "Substeps move the bodies in between (guide/steppers.md)"},
+       {set_of(Method::kRobot), &end_bound,
+        "Velocities are made to fit the poses of the end (guide/options.md)"}}},
      {"linear", "change of the momentum", "%", 1e-6}},
     &seize};
 
