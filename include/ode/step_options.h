@@ -57,10 +57,10 @@ ODE_API int dWorldGetFrictionCone(dWorldID world);
 ODE_API void dWorldSetManifoldFriction(dWorldID world, int mode);
 ODE_API int dWorldGetManifoldFriction(dWorldID world);
 
-/** - dWorldSetExactRotation: Choose how bodies rotate: as ODE rotates them (mode 0, the default) or exactly
+/** - dWorldSetExactRotation: Choose how bodies under joints and contacts rotate: as ODE rotates them (mode 0, the default) or exactly
       (mode 1), by the exponential map with the gyroscopic torque of the implicit midpoint rule: a free body
-      keeps its energy and angular momentum while it turns by less than 2 rad in a step. dWorldStepFast1
-      does so for free bodies only. Other values are refused, as is a call during a step.
+      keeps its energy and angular momentum while it turns by less than 2 rad in a step. Bodies on nothing rotate exactly in both modes,
+      but with dBehaviour016 in mode 1 only; dWorldStepFast1 rotates no others exactly. Other values are refused, as is a call during a step.
     - dWorldGetExactRotation: The mode that dWorldSetExactRotation has set, 0 at first. [ours] */
 ODE_API void dWorldSetExactRotation(dWorldID world, int mode);
 ODE_API int dWorldGetExactRotation(dWorldID world);

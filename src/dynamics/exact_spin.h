@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Accurate integration of rotation (dWorldSetExactRotation); ODE's own is in integrate.h. The state is the
-// angular momentum; `Body::spin_excess` is the part of it that the stored angular velocity does not show.
+// Accurate integration of rotation: of bodies on nothing, and of all with dWorldSetExactRotation; ODE's own is in integrate.h. The
+// state is the angular momentum; `Body::spin_excess` is the part of it that the stored angular velocity does not show.
 #pragma once
 
-#include "dynamics/body.h"
+#include "dynamics/world.h"
 
 namespace epode {
+
+inline bool is_unattached(const Body& body) { return !body.joints && !body.manifolds; }
+
+inline bool turns_exactly(const World& world, const Body& body)
+{
+    return world.exact_rotation || (is_unattached(body) && !world.acts_as_ode());
+}
 
 // The angular velocity w of the world after torque and gyroscopic effect over a step h: the v* of
 // constraints. Leaves the momentum that this velocity lacks in the body's excess.

@@ -39,8 +39,9 @@ void turn_by_substeps(const World& world, Body& body, Vec3 kicked, Real h, int s
 void fly(const World& world, Body& body, Real h, int substeps)
 {
     const Vec3 kicked = body.velocity() + (h * body.inv_mass) * force_on(world, body);
-    world.exact_rotation ? turn_exactly_over_step(world, body, kicked, h, substeps)
-                         : turn_by_substeps(world, body, kicked, h, substeps);
+    const bool exactly = world.exact_rotation || !world.acts_as_ode();
+    exactly ? turn_exactly_over_step(world, body, kicked, h, substeps)
+            : turn_by_substeps(world, body, kicked, h, substeps);
 }
 
 }  // namespace epode

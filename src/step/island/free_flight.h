@@ -7,7 +7,7 @@
 //    substeps they move a body by (n + 1)/(2n) h^2 a instead of h^2 a, and the scheme is not symplectic any
 //    more: orbits gain energy. Here they act as one kick at the beginning, as in semi-implicit Euler; for bodies that
 //    something holds step/island/prompt_forces does. The world's gravity is uniform and is still divided over the substeps.
-//  - dWorldSetExactRotation turns a free body exactly over the whole step (dynamics/exact_spin.h).
+//  - A free body turns exactly over the whole step (dynamics/exact_spin.h), but for behaviour 0.16 without dWorldSetExactRotation.
 //  - Substeps of islands with manifolds only take the gyroscopic torque of the beginning for the whole step.
 //
 // The substeps have moved a free body too, in the lanes of its group, and that motion
@@ -38,8 +38,8 @@ inline bool tumbles(const Body& body)
 inline bool flies_by_itself(const World& world, const Body& body, bool manages_contacts)
 {
     if (body.kinematic()) return false;
-    return world.exact_rotation || (manages_contacts && tumbles(body)) || !(load(body.tacc) == Vec3{}) ||
-           !(force_on(world, body) == Vec3{});
+    return world.exact_rotation || ((manages_contacts || !world.acts_as_ode()) && tumbles(body)) ||
+           !(load(body.tacc) == Vec3{}) || !(force_on(world, body) == Vec3{});
 }
 
 // Integrates pose and velocities from the beginning of the step to its end.

@@ -68,17 +68,21 @@ TEST_P(FreeInSubsteps, stays_on_an_orbit)
     EXPECT_LT(highest, 1.01);
 }
 
-// About its middle axis for a minute at 1/60 s: 17 % of the energy, whoever manages contacts.
-TEST_P(FreeInSubsteps, tumbles_as_substeps_do)
+// About its middle axis for a minute at 1/60 s. Substeps alone lose 17 % of the energy, whoever manages contacts.
+TEST_P(FreeInSubsteps, tumbles_without_loss)
 {
-    const dBodyID body = sim.body({0, 0, 0});
-    dMass mass;
-    dMassSetParameters(&mass, 1, 0, 0, 0, 1, 2, real(2.8), 0, 0, 0);
-    dBodySetMass(body, &mass);
-    velocity(body, {}, {0.01, 5, 0.01});
-    const double before = kinetic_energy(body);
-    for (int i = 0; i < 3600; ++i) step(1.0 / 60);
-    EXPECT_NEAR(kinetic_energy(body) / before, 0.826, 0.01);
+    for (const double kept : {1.0, 0.826}) {
+        if (kept < 1) dWorldSetBehaviour(sim.world, dBehaviour016);
+        const dBodyID body = sim.body({0, 0, 0});
+        dMass mass;
+        dMassSetParameters(&mass, 1, 0, 0, 0, 1, 2, real(2.8), 0, 0, 0);
+        dBodySetMass(body, &mass);
+        velocity(body, {}, {0.01, 5, 0.01});
+        const double before = kinetic_energy(body);
+        for (int i = 0; i < 3600; ++i) step(1.0 / 60);
+        EXPECT_NEAR(kinetic_energy(body) / before, kept, kept < 1 ? 0.01 : tol(1e-9, 1e-2));
+        dBodyDestroy(body);
+    }
 }
 
 // Gravity alone is divided: the parabola of substeps, x = g h^2 (n + 1)/(2n) in the first step.

@@ -28,10 +28,13 @@ struct Drift {
     double energy = 0, length = 0, direction = 0;  // worst, relative
 };
 
-Drift fly(Stepper stepper, double h, double seconds, V3 w, bool exact)
+enum class Turns { kByDefault, kByOption, kAsOde };
+
+Drift fly(Stepper stepper, double h, double seconds, V3 w, Turns turns = Turns::kByDefault)
 {
     Sim sim(stepper);
-    dWorldSetExactRotation(sim.world, exact);
+    dWorldSetExactRotation(sim.world, turns == Turns::kByOption);
+    if (turns == Turns::kAsOde) dWorldSetBehaviour(sim.world, dBehaviour016);
     dBodyID b = top(sim, 1, 2, 2.8);
     velocity(b, {}, w);
     const V3 L0 = spin_momentum(b);
@@ -50,14 +53,14 @@ Drift fly(Stepper stepper, double h, double seconds, V3 w, bool exact)
 // About the middle axis, where tumbling is wildest.
 TEST(ExactRotation, a_free_body_keeps_energy_and_angular_momentum_for_100_s)
 {
-    for (Stepper stepper : {Stepper::kExact, Stepper::kQuick})
+    for (Stepper stepper : kSteppers)
         for (double speed : {1.0, 5.0, 60.0}) {
-            const Drift d = fly(stepper, 1 / 60., 100, {0.01 * speed, speed, 0.02 * speed}, true);
+            const Drift d = fly(stepper, 1 / 60., 100, {0.01 * speed, speed, 0.02 * speed});
             EXPECT_LT(d.energy, tol(1e-11, 1e-3)) << name_of(stepper) << " at " << speed;
             EXPECT_LT(d.length, tol(1e-11, 1e-3)) << name_of(stepper) << " at " << speed;
             EXPECT_LT(d.direction, tol(1e-11, 1e-2)) << name_of(stepper) << " at " << speed;
         }
-    EXPECT_GT(fly(Stepper::kExact, 1 / 60., 100, {0.01, 1, 0.02}, false).energy, 0.05)
+    EXPECT_GT(fly(Stepper::kExact, 1 / 60., 100, {0.01, 1, 0.02}, Turns::kAsOde).energy, 0.05)
         << "the original's rule damps: else this test proves nothing";
 }
 
@@ -65,7 +68,8 @@ TEST(ExactRotation, a_free_body_keeps_energy_and_angular_momentum_for_100_s)
 TEST(ExactRotation, an_absurd_spin_keeps_its_energy)
 {
     for (double speed : {150.0, 1000.0, 3000.0}) {
-        const Drift d = fly(Stepper::kExact, 1 / 60., 10, {0.01 * speed, speed, 0.02 * speed}, true);
+        const Drift d =
+            fly(Stepper::kExact, 1 / 60., 10, {0.01 * speed, speed, 0.02 * speed}, Turns::kByOption);
         EXPECT_LT(d.energy, tol(1e-10, 0.3)) << speed;
         EXPECT_LT(d.length, tol(1e-10, 0.15)) << speed;
     }
@@ -332,7 +336,8 @@ TEST_F(Projection, ends_with_closed_joints_and_velocities_that_they_allow)
         EXPECT_LT(worst, 1e-6) << i;
         const V3 speeds[2] = {velocity_at(a, {-0.5, 0, 0}),
                               velocity_at(a, {0.5, 0, 0}) - velocity_at(b, {-0.5, 0, 0})};
-        for (const V3& parting : speeds) EXPECT_LT(length(parting), tol(1e-12, 1e-5)) << i;
+        for (const V3& parting : speeds)
+            EXPECT_LT(length(parting), tol(1e-8, 1e-5)) << i;  // what CFM lets them give
     }
 }
 

@@ -23,7 +23,8 @@ bool is_free(const IslandWork& work) { return work.system.rows.empty() && work.c
 
 void advance(const World& world, Body& body, Real h, bool free)
 {
-    world.exact_rotation ? advance_pose_exactly(body, h, free) : advance_pose(body, h);
+    turns_exactly(world, body) ? advance_pose_exactly(body, h, free || is_unattached(body))
+                               : advance_pose(body, h);
 }
 
 class Shake {

@@ -251,7 +251,7 @@ void load_body(const World& world, Real h, const Solver& solver, Body& body, Sol
 {
     solver.needs_inertia ? load_mass_and_inertias(body, out) : load_inertia(body, out);
     if (!solver.substeps)
-        return world.exact_rotation ? load_pushed_exactly(body, h, out) : load_pushed(body, h, out);
+        return turns_exactly(world, body) ? load_pushed_exactly(body, h, out) : load_pushed(body, h, out);
     load_velocity(body, out);
     if (world.exact_rotation) body.spin_excess = {};  // it turns bodies in its own way
 }
