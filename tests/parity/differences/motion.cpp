@@ -178,6 +178,26 @@ DIFFERENCE(P4, wind, "a body that has slept in the wind wakes with the wind of o
     return near(dBodyGetLinearVel(b)[0], kStep, 1e-9);
 }
 
+DIFFERENCE(D49, top, "a body that tumbles in empty space keeps its energy")
+{
+    const World world;
+    const dBodyID b = world.body();
+    dMass mass;
+    dMassSetParameters(&mass, 1, 0, 0, 0, 1, 2, 2.8, 0, 0, 0);
+    dBodySetMass(b, &mass);
+    dBodySetAngularVel(b, 0.01, 5, 0.01);
+    const auto energy = [&] {
+        dVector3 w;
+        const dReal* v = dBodyGetAngularVel(b);
+        dBodyVectorFromWorld(b, v[0], v[1], v[2], w);
+        return 0.5 * (w[0] * w[0] + 2 * w[1] * w[1] + 2.8 * w[2] * w[2]);
+    };
+    const double before = energy();
+    world.step(10000);
+    note("share of the energy", energy() / before);
+    return near(energy() / before, 1, 1e-6);
+}
+
 DIFFERENCE(E1, nan, "a position that is no number is refused")
 {
     const World world;
