@@ -9,6 +9,8 @@
 #include <cmath>
 #include <new>
 
+#include "batch/lanes/observed.h"
+
 namespace epode::batch {
 
 namespace {
@@ -27,6 +29,7 @@ class Batch : public AnyBatch {
           kernels_(best_kernels<T>()),
           view_(model_),
           layout_(model_),
+          observed_(model_),
           lanes_(kernels_.lanes),
           groups_((copies + lanes_ - 1) / lanes_),
           state_(block_of(std::size_t(groups_) * group_numbers() * sizeof(T))),
@@ -36,6 +39,7 @@ class Batch : public AnyBatch {
         for (int i = 0; i < crew_.size(); ++i) {
             work_.push_back(block_of(kernels_.work_size(view_)));
             kernels_.make_work(view_, work_.back().get());
+            observations_.push_back(block_of(std::size_t(observed_.rows) * std::size_t(lanes_) * sizeof(T)));
         }
         std::fill_n(static_cast<T*>(state_.get()), std::size_t(groups_) * group_numbers(), T(0));
         for (int i = 0; i < groups_ * lanes_; ++i) put_at_reference(i);
@@ -47,11 +51,13 @@ class Batch : public AnyBatch {
 
     void read(Quantity quantity, int first, int count, void* to) const override
     {
-        const int size = size_of(quantity), row = row_of(quantity);
-        for (int i = first; i < first + count; ++i) {
-            T* out = static_cast<T*>(to) + std::size_t(i - first) * std::size_t(size);
-            for (int k = 0; k < size; ++k) out[k] = at(i, row + k);
-            if (quantity == Quantity::kVelocities) turn_rates(i, out, false);
+        T* out = static_cast<T*>(to);
+        const int end = first + count;
+        for (int next = first; first < end; first = next) {
+            next = std::min(end, (first / lanes_ + 1) * lanes_);
+            if (is_observed(quantity)) observe(first / lanes_, 0, what_of(quantity));
+            copy_out(quantity, first, next - first, 0, out);
+            out += std::size_t(next - first) * std::size_t(size_of(quantity));
         }
     }
 
@@ -61,7 +67,11 @@ class Batch : public AnyBatch {
         const T* in = static_cast<const T*>(from);
         for (int i = 0; i < count; ++i)
             if (!can_be(quantity, in + std::size_t(i) * std::size_t(size))) return false;
-        for (int i = 0; i < count; ++i) put(quantity, first + i, in + std::size_t(i) * std::size_t(size));
+        std::vector<T> values;
+        for (int i = 0; i < count; ++i, in += size) {
+            values.assign(in, in + size);
+            put(quantity, first + i, values);
+        }
         return true;
     }
 
@@ -70,7 +80,12 @@ class Batch : public AnyBatch {
         bound_[std::size_t(quantity)] = static_cast<T*>(array);
     }
 
-    bool step(int steps) override
+    void watch(Quantity quantity, void* array) override
+    {
+        watched_[std::size_t(quantity)] = static_cast<T*>(array);
+    }
+
+    bool step(int steps, const Visit* visit) override
     {
         for (Quantity quantity : kWritable)
             if (const T* array = bound(quantity); array && !write(quantity, 0, copies_, array)) return false;
@@ -79,7 +94,8 @@ class Batch : public AnyBatch {
             for (int i = 0; i < steps; ++i)
                 kernels_.step(view_, options_, numbers_of(group), are_own(), its,
                               work_[std::size_t(worker)].get());
-            write_bound(group);
+            write_bound(group, worker);
+            if (visit) (*visit)(group * lanes_, std::min(lanes_, copies_ - group * lanes_), worker);
         });
         return true;
     }
@@ -88,7 +104,14 @@ class Batch : public AnyBatch {
     {
         for (int i = 0; i < copies_; ++i)
             if (!mask || mask[i]) put_at_reference(i);
-        for (int group = 0; group < groups_; ++group) write_bound(group);
+        for (int group = 0; group < groups_; ++group) write_bound(group, 0);
+    }
+
+    void reset_copy(int copy) override { put_at_reference(copy); }
+
+    void refresh(int first, int count, int worker) override
+    {
+        for (int group = first / lanes_; group * lanes_ < first + count; ++group) write_bound(group, worker);
     }
 
     int bad() const override
@@ -132,16 +155,47 @@ class Batch : public AnyBatch {
 
     int row_of(Quantity quantity) const
     {
-        const int rows[] = {layout_.q,      layout_.v,   layout_.control,  layout_.applied,
-                            layout_.forces, layout_.bad, layout_.residual, layout_.sweeps};
+        const int rows[] = {layout_.q,          layout_.v,        layout_.control,    layout_.applied,
+                            layout_.forces,     layout_.bad,      layout_.residual,   layout_.sweeps,
+                            observed_.position, observed_.turn,   observed_.velocity, observed_.inertia,
+                            observed_.contact,  observed_.centre, observed_.actuator, observed_.constraint};
         return rows[int(quantity)];
+    }
+
+    static int what_of(Quantity quantity)
+    {
+        const bool is_of_step = quantity == Quantity::kLinkForces || quantity == Quantity::kConstraintForces;
+        return is_of_step ? kOfStep : kOfState;
+    }
+
+    T* observations(int worker) const { return static_cast<T*>(observations_[std::size_t(worker)].get()); }
+
+    void observe(int group, int worker, int what) const
+    {
+        T* its = static_cast<T*>(state_.get()) + std::size_t(group) * group_numbers();
+        kernels_.observe(view_, numbers_of(group), are_own(), its, work_[std::size_t(worker)].get(), what,
+                         observations(worker));
+    }
+
+    // Of copies of one group, which the worker has observed if need be.
+    void copy_out(Quantity quantity, int first, int count, int worker, T* out) const
+    {
+        const int size = size_of(quantity);
+        const T* rows = is_observed(quantity)
+                            ? observations(worker)
+                            : static_cast<T*>(state_.get()) + std::size_t(first / lanes_) * group_numbers();
+        rows += row_of(quantity) * lanes_ + first % lanes_;
+        for (int i = 0; i < count; ++i, out += size) {
+            for (int k = 0; k < size; ++k) out[k] = rows[k * lanes_ + i];
+            if (quantity == Quantity::kVelocities) turn_rates(first + i, out, false);
+        }
     }
 
     void put_at_reference(int copy)
     {
         for (int row = 0; row < layout_.rows; ++row) at(copy, row) = 0;
         for (int k = 0; k < model_.positions; ++k)
-            at(copy, layout_.q + k) = T(model_.reference[std::size_t(k)]);
+            at(copy, layout_.q + k) = at(copy, layout_.before + k) = T(model_.reference[std::size_t(k)]);
     }
 
     bool are_own() const { return !own_.empty(); }
@@ -218,10 +272,8 @@ class Batch : public AnyBatch {
     static T length2(const T* q) { return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]; }
 
     // Positions keep the angular velocity that is seen, in the link's axes; quaternions get unit length.
-    void put(Quantity quantity, int copy, const T* its)
+    void put(Quantity quantity, int copy, std::vector<T>& values)
     {
-        std::vector<T>& values = row_;
-        values.assign(its, its + size_of(quantity));
         if (quantity == Quantity::kPositions) return put_positions(copy, values);
         if (quantity == Quantity::kVelocities) turn_rates(copy, values.data(), true);
         const int row = row_of(quantity);
@@ -248,24 +300,30 @@ class Batch : public AnyBatch {
         for (int k = 0; k < model_.velocities; ++k) at(copy, layout_.v + k) = v[std::size_t(k)];
     }
 
-    void write_bound(int group)
+    void write_bound(int group, int worker)
     {
         const int first = group * lanes_, count = std::min(lanes_, copies_ - first);
+        int what = 0;
+        for (int q = int(Quantity::kLinkPositions); q < int(Quantity::kCount); ++q)
+            if (bound_[std::size_t(q)] || watched_[std::size_t(q)]) what |= what_of(Quantity(q));
+        if (what != 0) observe(group, worker, what);
         for (int q = 0; q < int(Quantity::kCount); ++q)
-            if (T* array = bound_[std::size_t(q)])
-                read(Quantity(q), first, count,
-                     array + std::size_t(first) * std::size_t(size_of(Quantity(q))));
+            for (T* array : {bound_[std::size_t(q)], watched_[std::size_t(q)]})
+                if (array)
+                    copy_out(Quantity(q), first, count, worker,
+                             array + std::size_t(first) * std::size_t(size_of(Quantity(q))));
     }
 
     const Kernels<T>& kernels_;
     ModelView view_;
     GroupLayout layout_;
+    ObservedLayout observed_;
     int lanes_, groups_;
     Block state_;
-    std::vector<T> numbers_, row_;
+    std::vector<T> numbers_;
     std::vector<T> own_;  // rows of lanes, group by group; empty: all copies share numbers_
-    std::vector<Block> work_;
-    std::array<T*, std::size_t(Quantity::kCount)> bound_{};
+    std::vector<Block> work_, observations_;  // of each worker
+    std::array<T*, std::size_t(Quantity::kCount)> bound_{}, watched_{};
     Crew crew_;
 };
 
@@ -282,7 +340,20 @@ int AnyBatch::size_of(Quantity quantity) const
             return model_.impulses();
         case Quantity::kVelocities:
         case Quantity::kApplied:
+        case Quantity::kActuatorForces:
+        case Quantity::kConstraintForces:
             return model_.velocities;
+        case Quantity::kLinkPositions:
+            return 3 * int(model_.links.size());
+        case Quantity::kLinkTurns:
+            return 4 * int(model_.links.size());
+        case Quantity::kLinkVelocities:
+        case Quantity::kLinkForces:
+            return 6 * int(model_.links.size());
+        case Quantity::kLinkInertias:
+            return 10 * int(model_.links.size());
+        case Quantity::kCentre:
+            return 3;
         default:
             return 1;
     }

@@ -5,6 +5,7 @@
 // uses hold copies at the reference, which nobody sees.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -25,8 +26,18 @@ enum class Quantity {
     kBad,
     kResidual,
     kSweeps,
+    // Observations (lanes/observe.h), for which nothing is kept.
+    kLinkPositions,
+    kLinkTurns,
+    kLinkVelocities,
+    kLinkInertias,
+    kLinkForces,
+    kCentre,
+    kActuatorForces,
+    kConstraintForces,
     kCount
 };
+constexpr bool is_observed(Quantity quantity) { return quantity >= Quantity::kLinkPositions; }
 
 class AnyBatch {
   public:
@@ -44,10 +55,18 @@ class AnyBatch {
     virtual bool write(Quantity quantity, int first, int count, const void* from) = 0;
     // Arrays (n, size) that every step reads before (what can be written) and writes after; null: none.
     virtual void bind(Quantity quantity, void* array) = 0;
+    // The same, but never read: what steps write for others than the user, who binds.
+    virtual void watch(Quantity quantity, void* array) = 0;
+    // Of copies of one group, in the thread that has stepped them, once arrays are written: visit(first, count, worker). It may read,
+    // write and reset those copies, and must then refresh them.
+    using Visit = std::function<void(int, int, int)>;
     // False: a bound array has numbers that cannot be; nothing has changed.
-    virtual bool step(int steps) = 0;
+    virtual bool step(int steps, const Visit* visit = nullptr) = 0;
     // To the reference at rest, no controls, no forces, good again: where mask (n) is not 0; null: all.
     virtual void reset(const unsigned char* mask) = 0;
+    virtual void reset_copy(int copy) = 0;
+    // Writes arrays of those copies, of whole groups.
+    virtual void refresh(int first, int count, int worker) = 0;
     virtual int bad() const = 0;  // how many
     // (count, size) as above. Once one has been written, every copy has numbers of its own. False: a number that cannot be.
     virtual void read(Parameter parameter, int first, int count, void* to) const = 0;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// How the state of a group of copies lies in memory: rows of as many numbers as it has lanes, counted here. Angular velocities of
+// How the state of a group of copies lies in memory: rows of as many numbers as it has lanes, counted here;
+// `before` has the positions in which the last step began. Angular velocities of
 // floating bases are in the world's axes there; whoever reads them in the link's turns them.
 #pragma once
 
@@ -10,7 +11,7 @@
 namespace epode::batch {
 
 struct GroupLayout {
-    int q, v, control, applied, forces, next, bad, residual, sweeps, rows;
+    int q, v, control, applied, forces, before, bad, residual, sweeps, rows;
 
     template <typename Model>
     EPODE_ALWAYS explicit GroupLayout(const Model& model)
@@ -19,8 +20,8 @@ struct GroupLayout {
           control(v + model.velocities),
           applied(control + model.controls),
           forces(applied + model.velocities),
-          next(forces + model.impulses()),
-          bad(next + model.positions),
+          before(forces + model.impulses()),
+          bad(before + model.positions),
           residual(bad + 1),
           sweeps(residual + 1),
           rows(sweeps + 1)

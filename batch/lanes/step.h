@@ -75,13 +75,13 @@ struct Step {
 
     void finish(T* group, const GroupLayout& at, P* q, P* v, P* forces, const P& h) const
     {
-        P &bad = *rows_at<P>(group, at.bad), *next = rows_at<P>(group, at.next);
+        P &bad = *rows_at<P>(group, at.bad), *before = rows_at<P>(group, at.before);
         const P good = goodness(bad), zero(0), rate(T(1 / options.h));
-        for (int i = 0; i < model.positions; ++i) next[i] = q[i];
-        integrate(model, work.v, h, next);
+        for (int i = 0; i < model.positions; ++i) before[i] = q[i];
+        integrate(model, work.v, h, q);
         // Plus zero: a zero has one sign, whatever the neighbours' rows were.
         for (int i = 0; i < model.velocities; ++i) v[i] = if_positive(good, work.v[i] + zero, v[i]);
-        for (int i = 0; i < model.positions; ++i) q[i] = if_positive(good, next[i] + zero, q[i]);
+        for (int i = 0; i < model.positions; ++i) q[i] = if_positive(good, q[i] + zero, before[i]);
         for (int i = 0; i < model.impulses(); ++i)
             forces[i] = if_positive(good, rate * work.impulses[i] + zero, zero);
         bad = if_positive(good, zero, P(1));

@@ -77,10 +77,19 @@ class Pairs {
     void exclude(int one, int two) { excluded_.insert({std::min(one, two), std::max(one, two)}); }
     bool stands_still(int link) const { return out_.links[size_t(link)].last_dof < 0; }
 
+    // The link that one is part of, where fixed links have been kept.
+    int carrier_of(int link) const
+    {
+        while (link > 0 && model_.links[size_t(link)].joints.empty())
+            link = model_.links[size_t(link)].parent;
+        return link;
+    }
+
     bool are_connected(int one, int two) const
     {
-        const auto [parent, child] = std::minmax(one, two);
-        if (model_.links[size_t(child)].parent != parent) return false;
+        const auto [parent, child] = std::minmax(carrier_of(one), carrier_of(two));
+        if (parent == child) return true;
+        if (carrier_of(model_.links[size_t(child)].parent) != parent) return false;
         return parent != 0 ||
                !model_
                     .touches_itself;  // what is jointed to the world may touch its shapes (robots/build.cpp)

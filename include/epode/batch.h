@@ -59,7 +59,17 @@ typedef enum {
                                  and limited servos, N or N m */
     dBatchBad,      /**< 1: the copy's numbers left the finite; it keeps its last state until it is reset */
     dBatchResidual, /**< what the last sweep of the last step changed, m/s */
-    dBatchSweeps    /**< of the last step */
+    dBatchSweeps,   /**< of the last step */
+    dBatchLinkPositions,   /**< of links' origins, in the world: three each, the world's own (0) first */
+    dBatchLinkQuaternions, /**< of links, in the world */
+    dBatchLinkVelocities, /**< angular, then linear of the point of the link that is at C, the centre of mass of its tree (all that
+                                hangs on one link whose parent is the world), in the world's axes; MuJoCo's cvel */
+    dBatchLinkInertias, /**< about C, in the world's axes: xx yy zz xy xz yz, mass times the place of the centre from C, mass;
+                                MuJoCo's cinert */
+    dBatchLinkForces, /**< of the last step's contacts, on links: torque about C, force; MuJoCo's cfrc_ext. Nothing on the world */
+    dBatchCentreOfMass,            /**< of all links */
+    dBatchActuatorForces,          /**< along the velocities, in this state under these controls */
+    dBatchVelocityConstraintForces /**< along the velocities, of the last step's contacts, limits and dry friction */
 } dBatchQuantity;
 
 /** Create a batch of `count` copies of the model, at the reference position and at rest. options may be NULL. The model may be

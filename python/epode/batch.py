@@ -23,7 +23,8 @@ from .errors import RefusedError
 from .robot import Model
 from .world import World
 
-_QUANTITIES = ("qpos", "qvel", "ctrl", "applied", "forces", "bad", "residual", "sweeps")
+_QUANTITIES = ("qpos", "qvel", "ctrl", "applied", "forces", "bad", "residual", "sweeps",
+               "xpos", "xquat", "cvel", "cinert", "cfrc_ext", "com", "qfrc_actuator", "qfrc_constraint")
 _PARAMETERS = ("gravity", "mass", "friction", "armature", "damping", "stiffness", "gain")
 
 
@@ -37,6 +38,9 @@ class Batch:
     """n copies of a model. Arrays have a row for each copy: qpos and qvel are coordinates and velocities as the model's ``joints``
     number them, ctrl the actuators' controls, applied forces along the velocities; forces (of contact points, limits, dry friction,
     servos), bad (1: the copy left the finite and waits for its reset), residual and sweeps of the last step can only be read.
+
+    So can what follows from them, under MuJoCo's names, a link's numbers side by side: xpos and xquat of links, cvel and cinert about
+    the centre of mass of their tree, com of all; qfrc_actuator in this state; cfrc_ext on links and qfrc_constraint of the last step.
 
     dtype: "float32" or "float64". threads: 0 for as many as the machine has. stepsize: s. erp, max_correction: the share of an
     overlap that a step takes back, and how fast. reach: surfaces nearer than this are looked at. tolerance: sweeps end when the last
