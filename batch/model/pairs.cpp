@@ -87,7 +87,7 @@ class Pairs {
 
     bool are_connected(int one, int two) const
     {
-        const auto [parent, child] = std::minmax(carrier_of(one), carrier_of(two));
+        const auto [parent, child] = std::minmax({carrier_of(one), carrier_of(two)});
         if (parent == child) return true;
         if (carrier_of(model_.links[size_t(child)].parent) != parent) return false;
         return parent != 0 ||

@@ -27,7 +27,7 @@ from .shapes import (Box, Capsule, Cone, Convex, Cylinder, Decomposition, Ellips
 from .world import Cause, World, defaults_text, step_worlds
 
 if TYPE_CHECKING:
-    from . import robot
+    from . import robot, vector
     from .batch import Batch
     from .robot import load
 
@@ -36,11 +36,11 @@ __all__ = ["Batch", "Behaviour", "Body", "BodyGroup", "Box", "BusyError", "Capsu
            "ContactEventKind", "Convex", "Cylinder", "DeadHandleError", "Decomposition", "Drive", "Ellipsoid", "EpodeWarning",
            "EventGone", "EventKind", "Geom", "HeightField", "IslandMethod", "Joint", "Material", "Mesh", "Plane",
            "Recording", "RefusedError", "Severity", "Sphere", "TaperedCapsule", "World", "c", "decompose", "defaults_text",
-           "joint_states", "load", "robot", "step_worlds"]
+           "joint_states", "load", "robot", "step_worlds", "vector"]
 
 
 def __getattr__(name: str) -> Any:
-    """epode.robot, epode.load and epode.Batch are imported when they are used first: the rest does not wait for them."""
+    """epode.robot, epode.load, epode.Batch and epode.vector are imported when they are used first: the rest does not wait for them."""
     if name in ("robot", "load"):
         import importlib
         robot = importlib.import_module(".robot", __name__)
@@ -50,4 +50,7 @@ def __getattr__(name: str) -> Any:
         from .batch import Batch
         globals()[name] = Batch
         return Batch
+    if name == "vector":
+        import importlib
+        return importlib.import_module(".vector", __name__)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

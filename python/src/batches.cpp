@@ -3,49 +3,17 @@
 //
 // Batches of robots, under epode.Batch, which keeps the arrays that are bound. One thread at a time uses a batch; a step lets others of
 // Python go on, and ends early where Ctrl-C was pressed.
-#include "robots.h"
+#include "batches.h"
 
 #ifdef EPODE_HAVE_ROBOTS
 
-#include <unistd.h>
-
-#include <atomic>
-
-#include "batch/batch.h"
-
 using namespace bound;
-using epode::batch::AnyBatch;
 using epode::batch::Parameter;
 using epode::batch::Quantity;
 
 namespace {
 
 constexpr int kCopyStepsBetweenSignals = 1 << 18;
-
-struct BoundBatch {
-    std::unique_ptr<AnyBatch> batch;
-    std::atomic<bool> is_busy{false};
-    pid_t process = getpid();
-
-    AnyBatch& its() const { return *batch; }
-};
-
-// Throws where another thread uses the batch, or a child process that has none of its threads.
-class Use {
-  public:
-    explicit Use(BoundBatch& batch) : batch_(batch)
-    {
-        if (batch.process != getpid())
-            throw std::runtime_error("a batch does not live on in a forked process: make one there");
-        if (batch.is_busy.exchange(true)) throw std::runtime_error("another thread uses this batch");
-    }
-    ~Use() { batch_.is_busy = false; }
-    Use(const Use&) = delete;
-    Use& operator=(const Use&) = delete;
-
-  private:
-    BoundBatch& batch_;
-};
 
 double option(const nb::dict& options, const char* name, double low, double high)
 {

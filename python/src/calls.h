@@ -160,4 +160,5 @@ void bind_callbacks(nb::module_& m);
 void bind_command(nb::module_& m);
 void bind_robots(nb::module_& m);
 void bind_batches(nb::module_& m);
+void bind_environments(nb::module_& m);
 void bind_decomposition(nb::module_& m);

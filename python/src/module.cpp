@@ -50,5 +50,6 @@ NB_MODULE(_c, m)
     bind_command(m);
     bind_robots(m);
     bind_batches(m);
+    bind_environments(m);
     bind_decomposition(m);
 }

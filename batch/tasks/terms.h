@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Evaluates pieces and terms of a task (task.h) from arrays of copies, in doubles. T: the batch's numbers.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "batch/lanes/angles.h"
+#include "batch/tasks/task.h"
+
+namespace epode::batch {
+
+// Arrays (n, size) of the quantities that a task needs, actions among them.
+template <typename T>
+struct Arrays {
+    std::array<std::vector<T>, std::size_t(Quantity::kCount)> of;
+    std::array<std::size_t, std::size_t(Quantity::kCount)> sizes{};
+    std::vector<double> actions;
+    std::size_t action_size = 0;
+
+    const T* row(Quantity quantity, int copy) const
+    {
+        return of[std::size_t(quantity)].data() + std::size_t(copy) * sizes[std::size_t(quantity)];
+    }
+};
+
+template <typename T>
+class Terms {
+  public:
+    explicit Terms(const Arrays<T>& arrays) : arrays_(arrays) {}
+
+    double number(const Piece& piece, int copy, int k) const
+    {
+        const double other = piece.minus < 0 ? 0 : raw(piece, copy, piece.minus + k);
+        const double x = applied(piece.function, raw(piece, copy, piece.first + k) - other);
+        return std::min(std::max(piece.scale * (x - piece.offset), piece.low), piece.high);
+    }
+
+    bool is_within(const Range& range, int copy) const
+    {
+        for (int k = 0; k < range.piece.count; ++k) {
+            const double x = number(range.piece, copy, k);
+            const bool good =
+                range.is_open ? x > range.low && x < range.high : x >= range.low && x <= range.high;
+            if (!good) return false;
+        }
+        return true;
+    }
+
+    // Rates are told apart: what they are of, now and at the step's begin, and the time between.
+    double value(const Term& term, int copy, bool is_healthy, double before, double time) const
+    {
+        return std::min(std::max(term.weight * plain(term, copy, is_healthy, before, time), term.low),
+                        term.high);
+    }
+
+  private:
+    double plain(const Term& term, int copy, bool is_healthy, double before, double time) const
+    {
+        if (term.kind == Term::Kind::kConstant) return 1;
+        if (term.kind == Term::Kind::kHealthy) return is_healthy ? 1 : 0;
+        double sum = 0;
+        for (int k = 0; k < term.piece.count; ++k) {
+            const double x = number(term.piece, copy, k);
+            const bool is_linear = term.kind == Term::Kind::kSum || term.kind == Term::Kind::kRate;
+            sum += is_linear ? x : x * x;
+        }
+        if (term.kind == Term::Kind::kRate) return time > 0 ? (sum - before) / time : 0;
+        return term.kind == Term::Kind::kLength ? std::sqrt(sum) : sum;
+    }
+
+    double raw(const Piece& piece, int copy, int number) const
+    {
+        const auto i = std::size_t(number);
+        if (piece.source == Piece::Source::kQuantity) return double(arrays_.row(piece.quantity, copy)[i]);
+        if (piece.source == Piece::Source::kAction)
+            return arrays_.actions[std::size_t(copy) * arrays_.action_size + i];
+        return of_point(piece, copy, number);
+    }
+
+    // p + R r: r + 2 w (u x r) + 2 u x (u x r), of a quaternion (w, u).
+    double of_point(const Piece& piece, int copy, int axis) const
+    {
+        const T *p = arrays_.row(Quantity::kLinkPositions, copy) + 3 * piece.link,
+                *q = arrays_.row(Quantity::kLinkTurns, copy) + 4 * piece.link;
+        const double w = double(q[0]), u[3] = {double(q[1]), double(q[2]), double(q[3])};
+        const double* r = piece.point;
+        double t[3];
+        for (int i = 0; i < 3; ++i) {
+            const int j = (i + 1) % 3, k = (i + 2) % 3;
+            t[i] = 2 * (u[j] * r[k] - u[k] * r[j]);
+        }
+        const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+        return double(p[axis]) + r[axis] + w * t[axis] + (u[j] * t[k] - u[k] * t[j]);
+    }
+
+    // By half the angle, whose sign does not matter here.
+    static double applied(Piece::Function function, double x)
+    {
+        if (function == Piece::Function::kNone) return x;
+        const auto half = half_turn(Pack<double, 2>(x));
+        double s[2], c[2];
+        __builtin_memcpy(s, &half.sine, sizeof s), __builtin_memcpy(c, &half.cosine, sizeof c);
+        return function == Piece::Function::kSine ? 2 * s[0] * c[0] : (c[0] - s[0]) * (c[0] + s[0]);
+    }
+
+    const Arrays<T>& arrays_;
+};
+
+}  // namespace epode::batch

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""What an environment asks of a batch, as data. The engine evaluates it in C++, for each copy in the thread that steps it."""
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
+
+from ..batch import _PARAMETERS, _QUANTITIES
+
+Distribution = Sequence[Any]
+_SOURCES, _FUNCTIONS = ("quantity", "action", "point"), (None, "sin", "cos")
+_KINDS = ("constant", "healthy", "rate", "sum", "squares", "length")
+
+
+@dataclass(frozen=True)
+class Piece:
+    """``count`` numbers of a quantity of batches (epode.Batch.bind) from ``first`` on, or of ``"action"``, each as
+    clip(scale * (function(x) - offset), low, high); with ``minus`` less those from there on. Of ``"point"`` they are the coordinates of a
+    point of a link."""
+
+    quantity: str
+    first: int = 0
+    count: int = 1
+    function: Literal["sin", "cos"] | None = None
+    offset: float = 0.0
+    scale: float = 1.0
+    low: float = -math.inf
+    high: float = math.inf
+    link: int = 0
+    point: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    minus: int = -1
+
+    def _packed(self) -> tuple[Any, ...]:
+        source = self.quantity if self.quantity in _SOURCES else "quantity"
+        quantity = _QUANTITIES.index(self.quantity) if source == "quantity" else 0
+        return (_SOURCES.index(source), quantity, self.first, self.count, _FUNCTIONS.index(self.function), float(self.offset),
+                float(self.scale), float(self.low), float(self.high), *map(float, self.point), self.link, self.minus)
+
+
+@dataclass(frozen=True)
+class Term:
+    """A part of the reward, or of the infos alone: clip(weight * f(of), low, high). ``kind`` is f: ``constant`` 1; ``healthy`` 1
+    where the copy is; ``rate`` of a number over the step; ``sum``; ``squares``, summed; ``length``. Terms of one name are one info."""
+
+    name: str
+    kind: Literal["constant", "healthy", "rate", "sum", "squares", "length"]
+    of: Piece | None = None
+    weight: float = 1.0
+    low: float = -math.inf
+    high: float = math.inf
+    is_reward: bool = True
+    at_reset: bool = False
+
+    def _packed(self, columns: Sequence[str]) -> tuple[Any, ...]:
+        piece = None if self.of is None else self.of._packed()
+        return (_KINDS.index(self.kind), piece, float(self.weight), float(self.low), float(self.high), columns.index(self.name),
+                self.is_reward, self.at_reset)
+
+
+@dataclass(frozen=True)
+class Range:
+    """Where a copy is healthy: all numbers of the piece from low to high, without these if it is open."""
+
+    of: Piece
+    low: float = -math.inf
+    high: float = math.inf
+    is_open: bool = False
+
+
+@dataclass(frozen=True)
+class Start:
+    """Coordinates (or velocities) from ``first`` on at the begin of an episode: drawn from low to high, or with those means and
+    deviations, added to the reference if relative; drawn again until their length is within ``length``."""
+
+    of: Literal["qpos", "qvel"]
+    low: Sequence[float]
+    high: Sequence[float]
+    first: int = 0
+    distribution: Literal["uniform", "normal"] = "uniform"
+    is_relative: bool = True
+    length: tuple[float, float] = (-1.0, math.inf)
+
+    def _packed(self) -> tuple[Any, ...]:
+        return (self.of == "qvel", self.distribution == "normal", self.is_relative, self.first, [float(x) for x in self.low],
+                [float(x) for x in self.high], *map(float, self.length))
+
+
+@dataclass(frozen=True)
+class Task:
+    """An environment. ``choices``: of discrete actions the controls; none: actions are the controls. ``high``: bounds of the
+    observation, either side; none: no bounds."""
+
+    observation: Sequence[Piece]
+    terms: Sequence[Term]
+    starts: Sequence[Start]
+    frame_skip: int
+    healthy: Sequence[Range] = ()
+    terminates: bool = True
+    choices: Sequence[Sequence[float]] = ()
+    high: Sequence[float] = ()
+    draws: Sequence[tuple[Any, ...]] = field(default_factory=tuple)
+    noise: Sequence[float] = ()
+
+    def __post_init__(self) -> None:
+        if not 1 <= self.frame_skip <= 1000000:
+            raise ValueError("frame_skip: 1 or more is expected")
+
+    @property
+    def size(self) -> int:
+        """Of an observation."""
+        return sum(piece.count for piece in self.observation)
+
+    @property
+    def columns(self) -> list[str]:
+        """Names of the infos."""
+        return list(dict.fromkeys(term.name for term in self.terms))
+
+    def varied(self, randomise: Mapping[str, Distribution], noise: float | Sequence[float]) -> Task:
+        """With parameters that each episode draws, and noise on observations."""
+        draws = [_draw(name, distribution) for name, distribution in randomise.items()]
+        deviations = [float(noise)] * self.size if isinstance(noise, (int, float)) else [float(x) for x in noise]
+        if any(not 0 <= x < math.inf for x in deviations):
+            raise ValueError("observation_noise: finite deviations of 0 or more are expected")
+        return replace(self, draws=draws, noise=deviations if any(deviations) else [])
+
+    def _packed(self, time_limit: int) -> dict[str, Any]:
+        columns = self.columns
+        return {"observation": [piece._packed() for piece in self.observation], "terms": [term._packed(columns) for term in self.terms],
+                "healthy": [(r.of._packed(), float(r.low), float(r.high), r.is_open) for r in self.healthy],
+                "starts": [start._packed() for start in self.starts], "draws": list(self.draws), "noise": list(self.noise),
+                "choices": [float(x) for row in self.choices for x in row], "columns": len(columns), "frame_skip": self.frame_skip,
+                "time_limit": time_limit, "terminates": self.terminates}
+
+
+def _draw(name: str, distribution: Distribution) -> tuple[Any, ...]:
+    kind, low, high, *words = distribution
+    if name not in _PARAMETERS:
+        raise ValueError(f"randomise: no parameter is called {name!r}: {', '.join(_PARAMETERS)}")
+    if kind not in ("uniform", "normal") or set(words) - {"scale", "each"} or not all(map(math.isfinite, (low, high))):
+        raise ValueError(f"randomise: ('uniform', low, high) or ('normal', mean, deviation), then 'scale', 'each', not {distribution}")
+    return (_PARAMETERS.index(name), kind == "normal", "scale" in words, "each" in words, float(low), float(high))
