@@ -11,7 +11,8 @@ RECIPES = PACKAGE.parent / "recipes"
 # Module: its part of the page. Names that epode/__init__.py lists are shown as epode.NAME.
 MODULES = {"world": "Worlds", "body": "Bodies", "geom": "Geoms", "shapes": "Shapes and materials", "joint": "Joints and drives",
            "recording": "Recordings", "viewer": "Windows: epode.viewer", "plot": "Plots: epode.plot",
-           "robot": "Robots: epode.robot", "batch": "Batches of robots", "enums": "Kinds", "errors": "Errors"}
+           "robot": "Robots: epode.robot", "batch": "Batches of robots", "vector/environment": "Environments: epode.vector",
+           "vector/task": "Tasks: epode.vector", "enums": "Kinds", "errors": "Errors"}
 # A module's classes that have a file of their own.
 DATA = {"robot": "_robot_data"}
 
@@ -85,7 +86,7 @@ def module_part(name, title):
     exported = re.findall(r'"(\w+)"', re.search(r"__all__ = \[(.*?)\]", (PACKAGE / "__init__.py").read_text(encoding="utf-8"), re.S)[1])
     part = f"## {title}\n\n{ast.get_docstring(tree)}\n\n"
     for node in [*(tree_of(DATA[name]).body if name in DATA else []), *tree.body]:
-        prefix = "epode." if getattr(node, "name", None) in exported else f"epode.{name}."
+        prefix = "epode." if getattr(node, "name", None) in exported else f"epode.{name.split('/')[0]}."
         if isinstance(node, ast.ClassDef) and is_public(node.name):
             bases = f"({', '.join(ast.unparse(b) for b in node.bases)})" if node.bases else ""
             part += f"### {prefix}{node.name}{bases}\n\n{ast.get_docstring(node) or ''}\n\n"

@@ -220,7 +220,7 @@ class EnvironmentsOf : public Environments {
             for (std::size_t k = 0; k < x.size(); ++k)
                 x[k] = drawn(random, start.is_normal, start.low[k], start.high[k]), square += x[k] * x[k];
             const double length = std::sqrt(square);
-            if (length > start.least && length < start.most) break;
+            if (length > start.min_length && length < start.max_length) break;
         }
         for (std::size_t k = 0; k < x.size(); ++k) {
             T& value = values[std::size_t(start.first) + k];

@@ -51,7 +51,7 @@ struct Start {
     bool is_velocity = false, is_normal = false, is_relative = true;
     int first = 0;
     std::vector<double> low, high;  // normal: mean and deviation
-    double least = -1, most = kUnbounded;
+    double min_length = -1, max_length = kUnbounded;
 };
 
 // A parameter of the model that each episode draws: one number for all of them or one for each, in place of the model's or times it.

@@ -124,7 +124,8 @@ class VectorEnvironment(VectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         return infos
 
     def _infos(self) -> dict[str, Any]:
-        arrays, infos = self._arrays, {}
+        infos: dict[str, Any] = {}
+        arrays = self._arrays
         begun, table = arrays["begun"], arrays["infos"]
         stepped, every = ~begun, np.ones(self.num_envs, bool)
         if self.autoreset_mode == AutoresetMode.SAME_STEP and begun.any():

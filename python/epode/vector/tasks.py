@@ -90,10 +90,10 @@ def humanoid(model: Model, *, frame_skip: int = 5, forward_reward_weight: float 
     touch = Piece("cfrc_ext", 6, 6 * moving)
     more = [(include_cinert_in_observation, Piece("cinert", 10, 10 * moving)), (include_cvel_in_observation, Piece("cvel", 6, 6 * moving)),
             (include_qfrc_actuator_in_observation, Piece("qfrc_actuator", 6, nv - 6)), (include_cfrc_ext_in_observation, touch)]
-    least, most = contact_cost_range
+    cheapest, dearest = contact_cost_range
     return Task([*_state(2 * exclude_current_positions_from_observation, model), *(piece for wanted, piece in more if wanted)],
                 [Term("reward_survive", "healthy", weight=healthy_reward), Term("reward_forward", "rate", Piece("com"), weight=forward_reward_weight),
-                 _effort(model, ctrl_cost_weight), Term("reward_contact", "squares", touch, weight=-contact_cost_weight, low=-most, high=-least),
+                 _effort(model, ctrl_cost_weight), Term("reward_contact", "squares", touch, weight=-contact_cost_weight, low=-dearest, high=-cheapest),
                  *_place(y=True, rate=Piece("com"))],
                 _noise(model, reset_noise_scale), frame_skip, [Range(Piece("qpos", 2), *healthy_z_range, is_open=True)],
                 terminate_when_unhealthy)
