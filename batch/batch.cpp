@@ -87,8 +87,11 @@ class Batch : public AnyBatch {
 
     bool step(int steps, const Visit* visit) override
     {
-        for (Quantity quantity : kWritable)
-            if (const T* array = bound(quantity); array && !write(quantity, 0, copies_, array)) return false;
+        for (Quantity quantity : kWritable) {
+            const bool is_read = !visit || quantity != Quantity::kControls;  // who visits gives the controls
+            const T* array = is_read ? bound(quantity) : nullptr;
+            if (array && !write(quantity, 0, copies_, array)) return false;
+        }
         crew_.work(groups_, [&](int group, int worker) {
             T* its = static_cast<T*>(state_.get()) + std::size_t(group) * group_numbers();
             for (int i = 0; i < steps; ++i)
@@ -218,16 +221,16 @@ class Batch : public AnyBatch {
             for (std::size_t k = 0; k < numbers_.size(); ++k) own_[own_place(i, int(k))] = numbers_[k];
     }
 
-    // With a mass the inertia about its centre changes in proportion.
+    // With a mass the inertia about its centre is the model's in proportion, whatever it was before.
     void put_number(Parameter parameter, int copy, int which, T value)
     {
         const int place = place_of(model_, parameter, which);
-        T& number = own_[own_place(copy, place)];
-        if (parameter == Parameter::kMasses && number > 0)
-            for (int k = 0; k < 6; ++k)
-                own_[own_place(copy, place - link_number::kMass + link_number::kInertia + k)] *=
-                    value / number;
-        number = value;
+        const T models = numbers_[std::size_t(place)];
+        own_[own_place(copy, place)] = value;
+        if (parameter != Parameter::kMasses || !(models > 0)) return;
+        const int inertia = place - link_number::kMass + link_number::kInertia;
+        for (int k = inertia; k < inertia + 6; ++k)
+            own_[own_place(copy, k)] = numbers_[std::size_t(k)] * (value / models);
     }
 
     const T* numbers_of(int group) const

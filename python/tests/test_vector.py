@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
 """Vectors of environments: Gymnasium's formulas on the same states, its autoreset modes step for step, randomness, refusals."""
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 
@@ -116,6 +119,18 @@ def test_formulas_are_gymnasiums(name, formula):
     assert ends >= 10
 
 
+@pytest.mark.parametrize("name", NAMES[:-1])
+def test_spaces_and_first_observations_are_gymnasiums(name):
+    pytest.importorskip("mujoco"), pytest.importorskip("imageio")
+    env, theirs = vector(name, 4), gymnasium.make(f"{name}-v5").unwrapped
+    assert env.single_observation_space.shape == theirs.observation_space.shape and env.single_action_space == theirs.action_space
+    assert env.metadata["render_fps"] == theirs.metadata["render_fps"]
+    observations, _ = env.reset(seed=5)
+    for i in range(4):
+        theirs.set_state(env.batch.read("qpos")[i], env.batch.read("qvel")[i])
+        assert abs(theirs._get_obs() - observations[i]).max() < 1e-9
+
+
 def equal(ours, theirs):
     assert set(ours) == set(theirs)
     for key, value in theirs.items():
@@ -167,6 +182,11 @@ def test_gymnasium_makes_and_checks_them():
     assert ends == [False] * 6 + [True]
 
 
+def test_gymnasium_imports_them_by_name():
+    code = "import gymnasium; print(gymnasium.make_vec('epode.vector:Epode/CartPole-v0', num_envs=2).reset(seed=1)[0].shape)"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "(2, 4)\n"
+
+
 def run(env, steps=60, seed=9):
     rng, out = np.random.default_rng(1), [env.reset(seed=seed)[0]]
     actions = [rng.uniform(-1, 1, (64, env.single_action_space.shape[0])) for _ in range(steps)]
@@ -202,6 +222,23 @@ def test_episodes_draw_the_numbers_of_the_model():
     for wrong in ({"speed": ("uniform", 0, 1)}, {"mass": ("log", 0, 1)}, {"mass": ("uniform", 0, np.inf)}, {"mass": ("uniform", 0, 1, "often")}):
         with pytest.raises(ValueError, match="randomise"):
             vector("Ant", 1, randomise=wrong)
+
+
+def test_episodes_of_a_seed_come_again_bit_by_bit():
+    env = vector("Ant", 3, max_episode_steps=5, randomise={"mass": ("uniform", 0.5, 2.0, "scale")})
+    first, _, again = run(env), run(env, seed=10), run(env)
+    assert (first == again).all()
+
+
+def test_arrays_that_are_bound_to_the_batch_follow():
+    env, plain = vector("Hopper", 3), vector("Hopper", 3)
+    env.reset(seed=1), plain.reset(seed=1)
+    qpos, ctrl = env.batch.bind("qpos"), env.batch.bind("ctrl")
+    for actions in (np.ones((3, 3)), -np.ones((3, 3))):
+        assert (env.step(actions)[0] == plain.step(actions)[0]).all()
+        assert (ctrl == actions).all() and (qpos == env.batch.read("qpos")).all()
+    qpos[0, 1] = 0.1
+    assert env.step(actions)[2].tolist() == [True, False, False]
 
 
 def test_starts_and_noise_are_distributed_as_said():

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
-"""Vectors of environments for learning, on a batch: Gymnasium's MuJoCo tasks under our names.
+"""Vectors of environments for learning, on a batch: Gymnasium's MuJoCo tasks under our names, ``Epode/Ant-v0`` and so on in its
+registry from this module's import on.
 
 >>> import epode, numpy
 >>> env = epode.vector.make("CartPole", 64)
@@ -12,13 +13,17 @@
 An environment of your own is a ``Task`` with pieces of observation, terms of reward and healthy ranges, as data.
 """
 try:
-    import gymnasium as _gymnasium  # noqa: F401
+    import gymnasium as _gymnasium
 except ImportError:
     raise ImportError("epode.vector needs gymnasium: pip install epode[gym]") from None
 
-from .._gymnasium import register
 from .environment import Scalar, VectorEnvironment, make
 from .task import Piece, Range, Start, Task, Term
+from .tasks import TASKS as _TASKS
 
 __all__ = ["Piece", "Range", "Scalar", "Start", "Task", "Term", "VectorEnvironment", "make"]
-register()
+
+for _name, (_, _, _limit) in _TASKS.items():
+    if f"Epode/{_name}-v0" not in _gymnasium.registry:
+        _gymnasium.register(f"Epode/{_name}-v0", entry_point="epode.vector:Scalar", vector_entry_point="epode.vector:make",
+                            max_episode_steps=_limit, kwargs={"task": _name})

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from .. import _c
 from .. import robot
-from .._gymnasium import LIMITS
 from ..batch import Batch
 from ..robot import Model
 from .task import Distribution, Task
@@ -193,11 +192,11 @@ def make(task: str, num_envs: int = 1, *, autoreset_mode: AutoresetMode | str = 
         raise ValueError(f"no environment is called {task!r}: {', '.join(TASKS)}")
     if render_mode is not None:
         raise ValueError("a vector of environments shows nothing: env.batch.world(i) is a copy to look at")
-    described, source = TASKS[task]
+    described, source, limit = TASKS[task]
     text = _text_of(xml_file or source)
     model = robot.from_text(text, keep_fixed=True)
     made = described(model, **arguments).varied(randomise or {}, observation_noise)
-    limit = LIMITS[task] if max_episode_steps is None else max_episode_steps
+    limit = limit if max_episode_steps is None else max_episode_steps
     return VectorEnvironment(made, model, num_envs, stepsize=_time_step(text), time_limit=limit, autoreset=AutoresetMode(autoreset_mode),
                              copy=copy, with_infos=infos, first=first,
                              batch_options={"dtype": dtype, "threads": threads, **(batch_options or {})})

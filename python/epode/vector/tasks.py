@@ -199,9 +199,10 @@ def cart_pole(model: Model, *, frame_skip: int = 1, sutton_barto_reward: bool = 
                 high=[2 * x, math.inf, 2 * angle, math.inf])
 
 
-# Of each environment the task, and the model: a file of gymnasium's, or a text.
-TASKS: dict[str, tuple[Callable[..., Task], str]] = {
-    "Ant": (ant, "ant.xml"), "HalfCheetah": (half_cheetah, "half_cheetah.xml"), "Humanoid": (humanoid, "humanoid.xml"),
-    "Hopper": (hopper, "hopper.xml"), "Walker2d": (walker2d, "walker2d_v5.xml"), "Swimmer": (swimmer, "swimmer.xml"),
-    "Reacher": (reacher, "reacher.xml"), "Pusher": (pusher, "pusher_v5.xml"), "InvertedPendulum": (inverted_pendulum, "inverted_pendulum.xml"),
-    "InvertedDoublePendulum": (inverted_double_pendulum, "inverted_double_pendulum.xml"), "CartPole": (cart_pole, CART_POLE)}
+# Of each environment the task, the model (a file of gymnasium's, or a text) and how many steps an episode has.
+TASKS: dict[str, tuple[Callable[..., Task], str, int]] = {
+    "Ant": (ant, "ant.xml", 1000), "HalfCheetah": (half_cheetah, "half_cheetah.xml", 1000), "Humanoid": (humanoid, "humanoid.xml", 1000),
+    "Hopper": (hopper, "hopper.xml", 1000), "Walker2d": (walker2d, "walker2d_v5.xml", 1000), "Swimmer": (swimmer, "swimmer.xml", 1000),
+    "Reacher": (reacher, "reacher.xml", 50), "Pusher": (pusher, "pusher_v5.xml", 100),
+    "InvertedPendulum": (inverted_pendulum, "inverted_pendulum.xml", 1000),
+    "InvertedDoublePendulum": (inverted_double_pendulum, "inverted_double_pendulum.xml", 1000), "CartPole": (cart_pole, CART_POLE, 500)}
