@@ -180,16 +180,9 @@ class EnvironmentsOf : public Environments {
     {
         double none = 0, &before = term.rate < 0 ? none : before_[std::size_t(i * rates_ + term.rate)];
         const double value = terms_.value(term, i, healthy, before, time);
-        if (term.rate >= 0) before = sum_of(term, i);
+        if (term.rate >= 0) before = terms_.sum(term.piece, i);
         if (term.column >= 0) out_.infos[i * task_.columns + term.column] += value;
         return term.is_reward ? value : 0;
-    }
-
-    double sum_of(const Term& term, int i) const
-    {
-        double sum = 0;
-        for (int k = 0; k < term.piece.count; ++k) sum += terms_.number(term.piece, i, k);
-        return sum;
     }
 
     // The first state of an episode; the copy's arrays are old until they are refreshed.
@@ -251,7 +244,7 @@ class EnvironmentsOf : public Environments {
     {
         std::fill_n(out_.infos + i * task_.columns, task_.columns, 0.0);
         for (const Term& term : task_.terms) {
-            if (term.rate >= 0) before_[std::size_t(i * rates_ + term.rate)] = sum_of(term, i);
+            if (term.rate >= 0) before_[std::size_t(i * rates_ + term.rate)] = terms_.sum(term.piece, i);
             if (term.at_reset) add(term, i, true, 0);
         }
         observe(i, static_cast<T*>(out_.observations));
@@ -261,8 +254,10 @@ class EnvironmentsOf : public Environments {
     {
         to += std::size_t(i) * width_;
         T* next = to;
-        for (const Piece& piece : task_.observation)
-            for (int k = 0; k < piece.count; ++k) *next++ = T(terms_.number(piece, i, k));
+        for (const Piece& piece : task_.observation) {
+            terms_.each(piece, i, [&](int k, double x) { next[k] = T(x); });
+            next += piece.count;
+        }
         if (task_.noise.empty()) return;
         const Episode& episode = episodes_[std::size_t(i)];
         Random random(episode.seed, first_ + std::uint32_t(i), episode.number, Random::kNoise,

@@ -32,22 +32,39 @@ class Terms {
   public:
     explicit Terms(const Arrays<T>& arrays) : arrays_(arrays) {}
 
-    double number(const Piece& piece, int copy, int k) const
+    // take(k, number) of all numbers of the piece.
+    template <typename Take>
+    void each(const Piece& piece, int copy, const Take& take) const
     {
-        const double other = piece.minus < 0 ? 0 : raw(piece, copy, piece.minus + k);
-        const double x = applied(piece.function, raw(piece, copy, piece.first + k) - other);
-        return std::min(std::max(piece.scale * (x - piece.offset), piece.low), piece.high);
+        const auto finished = [&](double x) {
+            return std::min(std::max(piece.scale * (x - piece.offset), piece.low), piece.high);
+        };
+        if (piece.source == Piece::Source::kQuantity && piece.function == Piece::Function::kNone &&
+            piece.minus < 0) {
+            const T* row = arrays_.row(piece.quantity, copy) + piece.first;  // nearly all of most tasks
+            for (int k = 0; k < piece.count; ++k) take(k, finished(double(row[k])));
+            return;
+        }
+        for (int k = 0; k < piece.count; ++k) {
+            const double other = piece.minus < 0 ? 0 : raw(piece, copy, piece.minus + k);
+            take(k, finished(applied(piece.function, raw(piece, copy, piece.first + k) - other)));
+        }
+    }
+
+    double sum(const Piece& piece, int copy) const
+    {
+        double out = 0;
+        each(piece, copy, [&](int, double x) { out += x; });
+        return out;
     }
 
     bool is_within(const Range& range, int copy) const
     {
-        for (int k = 0; k < range.piece.count; ++k) {
-            const double x = number(range.piece, copy, k);
-            const bool good =
-                range.is_open ? x > range.low && x < range.high : x >= range.low && x <= range.high;
-            if (!good) return false;
-        }
-        return true;
+        bool good = true;
+        each(range.piece, copy, [&](int, double x) {
+            good &= range.is_open ? x > range.low && x < range.high : x >= range.low && x <= range.high;
+        });
+        return good;
     }
 
     // Rates are told apart: what they are of, now and at the step's begin, and the time between.
@@ -62,14 +79,11 @@ class Terms {
     {
         if (term.kind == Term::Kind::kConstant) return 1;
         if (term.kind == Term::Kind::kHealthy) return is_healthy ? 1 : 0;
-        double sum = 0;
-        for (int k = 0; k < term.piece.count; ++k) {
-            const double x = number(term.piece, copy, k);
-            const bool is_linear = term.kind == Term::Kind::kSum || term.kind == Term::Kind::kRate;
-            sum += is_linear ? x : x * x;
-        }
-        if (term.kind == Term::Kind::kRate) return time > 0 ? (sum - before) / time : 0;
-        return term.kind == Term::Kind::kLength ? std::sqrt(sum) : sum;
+        if (term.kind == Term::Kind::kSum) return sum(term.piece, copy);
+        if (term.kind == Term::Kind::kRate) return time > 0 ? (sum(term.piece, copy) - before) / time : 0;
+        double squares = 0;
+        each(term.piece, copy, [&](int, double x) { squares += x * x; });
+        return term.kind == Term::Kind::kLength ? std::sqrt(squares) : squares;
     }
 
     double raw(const Piece& piece, int copy, int number) const

@@ -62,11 +62,10 @@ def ant(model: Model, *, frame_skip: int = 5, forward_reward_weight: float = 1.0
     """Runs as fast as it can, on four legs."""
     low, high = contact_force_range
     touch = Piece("cfrc_ext", 6, 6 * len(model.links) - 6, low=low, high=high)
-    where = Piece("xpos", 3)
     return Task([*_state(2 * exclude_current_positions_from_observation, model), *([touch] if include_cfrc_ext_in_observation else [])],
-                [Term("reward_forward", "rate", where, weight=forward_reward_weight), Term("reward_survive", "healthy", weight=healthy_reward),
+                [Term("reward_forward", "rate", Piece("qpos"), weight=forward_reward_weight), Term("reward_survive", "healthy", weight=healthy_reward),
                  _effort(model, ctrl_cost_weight), Term("reward_contact", "squares", touch, weight=-contact_cost_weight),
-                 *_place(y=True, rate=where)],
+                 *_place(y=True)],
                 _noise(model, reset_noise_scale, normal=True), frame_skip, [Range(Piece("qpos", 2), *healthy_z_range)],
                 terminate_when_unhealthy)
 
