@@ -4,7 +4,7 @@
 // See environments.h. Copies are observed, judged and reset in the thread that has stepped them.
 #include "batch/tasks/environments.h"
 
-#include "batch/tasks/random.h"
+#include "batch/tasks/draws.h"
 #include "batch/tasks/terms.h"
 
 namespace epode::batch {
@@ -185,58 +185,28 @@ class EnvironmentsOf : public Environments {
         return term.is_reward ? value : 0;
     }
 
+    Random random_of(int i, Random::Stream stream, std::uint32_t step = 0) const
+    {
+        const Episode& episode = episodes_[std::size_t(i)];
+        return {episode.seed, first_ + std::uint32_t(i), episode.number, stream, step};
+    }
+
     // The first state of an episode; the copy's arrays are old until they are refreshed.
     void begin(int i)
     {
         Episode& episode = episodes_[std::size_t(i)];
         ++episode.number, episode.steps = 0, episode.is_over = false;
         batch_.reset_copy(i);
-        for (std::size_t k = 0; k < task_.draws.size(); ++k) draw(task_.draws[k], draw_from_[k], i);
+        for (std::size_t k = 0; k < task_.draws.size(); ++k) {
+            Random random = random_of(i, Random::kParameters, std::uint32_t(task_.draws[k].parameter));
+            draw_parameter(batch_, task_.draws[k], draw_from_[k], random, i);
+        }
         std::vector<T> q(std::size_t(batch_.model().positions)), v(std::size_t(batch_.model().velocities));
         std::copy(batch_.model().reference.begin(), batch_.model().reference.end(), q.begin());
-        Random random(episode.seed, first_ + std::uint32_t(i), episode.number, Random::kReset);
-        for (const Start& start : task_.starts) draw(start, random, start.is_velocity ? v : q);
-        batch_.write(Quantity::kPositions, i, 1, q.data()),
-            batch_.write(Quantity::kVelocities, i, 1, v.data());
-    }
-
-    static double drawn(Random& random, bool is_normal, double low, double high)
-    {
-        return is_normal ? low + high * random.normal() : random.uniform(low, high);
-    }
-
-    static void draw(const Start& start, Random& random, std::vector<T>& values)
-    {
-        std::vector<double> x(start.low.size());
-        for (int tries = 0; tries < kTries; ++tries) {
-            double square = 0;
-            for (std::size_t k = 0; k < x.size(); ++k)
-                x[k] = drawn(random, start.is_normal, start.low[k], start.high[k]), square += x[k] * x[k];
-            const double length = std::sqrt(square);
-            if (length > start.min_length && length < start.max_length) break;
-        }
-        for (std::size_t k = 0; k < x.size(); ++k) {
-            T& value = values[std::size_t(start.first) + k];
-            value = T(start.is_relative ? double(value) + x[k] : x[k]);
-        }
-    }
-
-    // What the parameter cannot be is drawn again.
-    void draw(const Draw& draw, const std::vector<T>& models, int i)
-    {
-        Random random(episodes_[std::size_t(i)].seed, first_ + std::uint32_t(i),
-                      episodes_[std::size_t(i)].number, Random::kParameters, std::uint32_t(draw.parameter));
-        std::vector<T> values = models;
-        double x = 0;
-        for (std::size_t k = 0; k < values.size(); ++k)
-            for (int tries = 0; tries < kTries; ++tries) {
-                if (k == 0 || draw.is_each || tries > 0)
-                    x = drawn(random, draw.is_normal, draw.low, draw.high);
-                values[k] = T(draw.scales ? x * double(models[k]) : x);
-                if (can_be(batch_.model(), draw.parameter, int(k), double(values[k]))) break;
-                values[k] = models[k];
-            }
-        batch_.write(draw.parameter, i, 1, values.data());
+        Random random = random_of(i, Random::kReset);
+        for (const Start& start : task_.starts) draw_start(start, random, start.is_velocity ? v : q);
+        batch_.write(Quantity::kPositions, i, 1, q.data());
+        batch_.write(Quantity::kVelocities, i, 1, v.data());
     }
 
     // The first observation of an episode.
@@ -259,13 +229,9 @@ class EnvironmentsOf : public Environments {
             next += piece.count;
         }
         if (task_.noise.empty()) return;
-        const Episode& episode = episodes_[std::size_t(i)];
-        Random random(episode.seed, first_ + std::uint32_t(i), episode.number, Random::kNoise,
-                      std::uint32_t(episode.steps));
+        Random random = random_of(i, Random::kNoise, std::uint32_t(episodes_[std::size_t(i)].steps));
         for (std::size_t k = 0; k < width_; ++k) to[k] += T(task_.noise[k] * random.normal());
     }
-
-    static constexpr int kTries = 1000;
 
     AnyBatch& batch_;
     Task task_;

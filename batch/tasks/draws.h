@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What an episode draws (task.h): where a copy starts, and parameters of its model.
+#pragma once
+
+#include "batch/tasks/random.h"
+#include "batch/tasks/task.h"
+
+namespace epode::batch {
+
+constexpr int kDraws = 1000;  // tries, before what cannot be is let alone
+
+inline double drawn(Random& random, bool is_normal, double low, double high)
+{
+    return is_normal ? low + high * random.normal() : random.uniform(low, high);
+}
+
+template <typename T>
+void draw_start(const Start& start, Random& random, std::vector<T>& values)
+{
+    std::vector<double> x(start.low.size());
+    for (int tries = 0; tries < kDraws; ++tries) {
+        double square = 0;
+        for (std::size_t k = 0; k < x.size(); ++k)
+            x[k] = drawn(random, start.is_normal, start.low[k], start.high[k]), square += x[k] * x[k];
+        const double length = std::sqrt(square);
+        if (length > start.min_length && length < start.max_length) break;
+    }
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        T& value = values[std::size_t(start.first) + k];
+        value = T(start.is_relative ? double(value) + x[k] : x[k]);
+    }
+}
+
+// What the parameter cannot be is drawn again; `models` are the numbers of the model.
+template <typename T>
+void draw_parameter(AnyBatch& batch, const Draw& draw, const std::vector<T>& models, Random& random, int copy)
+{
+    std::vector<T> values = models;
+    double x = 0;
+    for (std::size_t k = 0; k < values.size(); ++k)
+        for (int tries = 0; tries < kDraws; ++tries) {
+            if (k == 0 || draw.is_each || tries > 0) x = drawn(random, draw.is_normal, draw.low, draw.high);
+            values[k] = T(draw.scales ? x * double(models[k]) : x);
+            if (can_be(batch.model(), draw.parameter, int(k), double(values[k]))) break;
+            values[k] = models[k];
+        }
+    batch.write(draw.parameter, copy, 1, values.data());
+}
+
+}  // namespace epode::batch
