@@ -5,9 +5,9 @@
 // to another stack of the thread.
 #include "base/call_guard.h"
 
-#include <cstdlib>
 #include <cstring>
 
+#include "base/memory.h"
 #include "base/stack_frames.h"
 
 #if defined(_WIN32)
@@ -24,11 +24,10 @@ namespace epode {
 struct GuardList {
     struct Entry {
         const CallGuard* guard;
-        std::uint64_t mark;
         CallGuard::Undo* undo;
         void* object;
         const void* list;
-        std::size_t size;
+        std::uint32_t size, mark;
         std::uintptr_t bottom;  // of the frame that it lies in
     };
     // Stacks grow downwards on every machine that the library is built for.
@@ -45,14 +44,17 @@ struct GuardList {
     Entry few[kFew];
     Entry* many;  // null: `few`
     int size, capacity;
-    std::uint64_t made;
+    bool grows;
+    std::uint32_t made;
     Stack known;
 
     const Stack& own();
     Entry* entries() { return many ? many : few; }
     Entry& last() { return entries()[size - 1]; }
     void begin(CallGuard& guard, std::uintptr_t bottom);
+    static std::size_t bytes(int count) { return sizeof(Entry) * std::size_t(count); }
     bool reserve();
+    void drop_many();
     void remove(int at);
     void undo(int at);
     static bool is_passed(const Entry& entry, const CallGuard* by, std::uintptr_t bottom);
@@ -103,17 +105,26 @@ const GuardList::Stack& GuardList::own()
     return known;
 }
 
-// One more place. Not the program's memory: it may be its function that is being called.
+// One more place. The program's function that provides it may call the library: its guards have no place meanwhile.
 bool GuardList::reserve()
 {
     if (size < (many ? capacity : kFew)) return true;
+    if (grows) return false;
     const int wanted = 2 * size;
-    auto* more = static_cast<Entry*>(std::malloc(sizeof(Entry) * std::size_t(wanted)));
+    grows = true;
+    auto* more = static_cast<Entry*>(allocate(bytes(wanted)));
+    grows = false;
     if (!more) return false;
-    std::memcpy(more, entries(), sizeof(Entry) * std::size_t(size));
-    std::free(many);
+    std::memcpy(more, entries(), bytes(size));
+    drop_many();
     many = more, capacity = wanted;
     return true;
+}
+
+void GuardList::drop_many()
+{
+    Entry* const old = std::exchange(many, nullptr);
+    if (old) release(old, bytes(capacity));
 }
 
 void GuardList::remove(int at)
@@ -121,9 +132,8 @@ void GuardList::remove(int at)
     Entry* const all = entries();
     std::memmove(all + at, all + at + 1, sizeof(Entry) * std::size_t(--size - at));
     if (!many || size > kFew / 2) return;
-    std::memcpy(few, many, sizeof(Entry) * std::size_t(size));
-    std::free(many);
-    many = nullptr;
+    std::memcpy(few, many, bytes(size));
+    drop_many();
 }
 
 void GuardList::undo(int at)
@@ -171,9 +181,7 @@ void GuardList::undo_passed(const CallGuard* by, std::uintptr_t bottom)
 // Only memory of the calling thread's stack that is in use is looked at.
 [[gnu::noinline, gnu::no_sanitize("address")]] bool GuardList::intact(const Entry& entry)
 {
-    for (int i = 0; i < CallGuard::kWords; ++i)
-        if (entry.guard->marks_[i] != entry.mark + unsigned(i)) return false;
-    return true;
+    return entry.guard->mark_ == entry.mark;
 }
 
 bool GuardList::is_left(const Entry& entry, const void* here)
@@ -197,16 +205,16 @@ void GuardList::undo_left(const void* here)
     if (made == 0) [[unlikely]]
         watch_thread_end();
     // Odd multiples of this number look like nothing else in memory.
-    const std::uint64_t mark = (++made << 1 | 1) * 0x9e3779b97f4a7c15u;
+    const std::uint32_t mark = (++made << 1 | 1) * 0x9e3779b9u;
     const bool listed = reserve();
     if (listed)
-        entries()[size++] = {&guard, mark, guard.undo_, guard.object_, guard.list_, guard.size_, bottom};
-    for (int i = 0; i < CallGuard::kWords; ++i) guard.marks_[i] = listed ? mark + unsigned(i) : 0;
+        entries()[size++] = {&guard, guard.undo_, guard.object_, guard.list_, guard.size_, mark, bottom};
+    guard.mark_ = listed ? mark : 0;
 }
 
 void CallGuard::begin() { t_guards.begin(*this, reinterpret_cast<std::uintptr_t>(__builtin_dwarf_cfa())); }
 
-bool CallGuard::end_listed() { return marks_[0] == 0 || t_guards.end(this); }
+bool CallGuard::end_listed() { return mark_ == 0 || t_guards.end(this); }
 
 bool CallGuard::any() { return t_guards.size > 0; }
 

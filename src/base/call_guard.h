@@ -28,7 +28,7 @@ class CallGuard {
 
     // Null: there is nothing to undo.
     CallGuard(Undo* undo, void* object, const void* list = nullptr, std::size_t size = 0)
-        : undo_(undo), object_(object), list_(list), size_(size)
+        : undo_(undo), object_(object), list_(list), size_(std::uint32_t(size))
     {
         if (undo) begin();
     }
@@ -54,12 +54,12 @@ class CallGuard {
     [[gnu::noinline]] void begin();
     bool end_listed();  // false: it has been undone
 
-    static constexpr int kWords = 2;
+    // Small: collisions nest spaces, and stacks may be.
     Undo* undo_;
     void* object_;
     const void* list_;
-    std::size_t size_;
-    volatile std::uint64_t marks_[kWords];  // differ from one guard to the next; 0: not listed
+    std::uint32_t size_;
+    volatile std::uint32_t mark_;  // differs from one guard to the next; 0: not listed
 };
 
 }  // namespace epode

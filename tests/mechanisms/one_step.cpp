@@ -45,10 +45,18 @@ void shake(Mechanism& m, int number, double noise)
     m.put(all);
 }
 
+// Those on nothing turn exactly in ours (docs/compat.md, D49): here they keep their spin.
+void leave_out_free_rotation(const Mechanism& m)
+{
+    for (dBodyID body : m.bodies)
+        if (dBodyGetNumJoints(body) == 0) dBodySetGyroscopicMode(body, 0);
+}
+
 void run(int number, double noise)
 {
     Mechanism m(number);
     m.collide();
+    leave_out_free_rotation(m);
     if (noise > 0) shake(m, number, noise);
     said = 0;
     m.step();

@@ -25,14 +25,14 @@ struct Golden {
     std::uint64_t saved, later;
 };
 
-constexpr Golden kGolden[2][8] = {{{0xcaff41a8b263524c, 0x9be7cde367856202},
-                                   {0xfa10e1a606be6d2c, 0x261ff63d08512b4c},
-                                   {0xade81a558f4d9228, 0xb15cd92c0a0885ef},
-                                   {0x35ef2aa66cc812fe, 0xc312bdf16d74ab0d},
-                                   {0x4c28477f0591e760, 0x764c32d2cfcd9664},
-                                   {0xd1b3be37c0a2a5fc, 0xf5a364e7c69fe5ad},
-                                   {0xc45270f887827bb5, 0x8ef5bcdeeebffce8},
-                                   {0x7cdd409a152b8b24, 0x7603b6be2adfbdd3}},
+constexpr Golden kGolden[2][8] = {{{0x3ba9e653dfd960d8, 0x32537b8cfa63a205},
+                                   {0x0772853e028d748d, 0x4ca04219cd8d315f},
+                                   {0x3f978dac6365b570, 0x7f7a0d162838e407},
+                                   {0x23e46a1b71f17bb5, 0x8de9a2caffbf76d3},
+                                   {0xd9c790cae6eeacee, 0xe73f8f60c7ff6250},
+                                   {0xd10e4193131c6694, 0x9008f935f1b0ce4d},
+                                   {0x573a013ef869e135, 0x4461464954705a5e},
+                                   {0xa02f6c52604a2bdf, 0x0e26cdd52ed060ac}},
                                   {{0x5bd7820f4a5c8cb0, 0x3902e627b17d1673},
                                    {0xad047417bd0e6c07, 0x5877d84cef7e2911},
                                    {0x1bc18893bb169c8d, 0x74bd079bbdc43b77},
