@@ -273,6 +273,7 @@ class Robot:
     def __init__(self, model: Model, world: World, pose: FloatArray) -> None:
         self.model, self.world = model, world
         self._robot: _Robot | None = model._model.build(world._handle, world._space_handle, pose)
+        self._seen = -1  # the world's edition when all of it was alive
         world._robots.append(self)
         self._add_all(self._robot)
 
@@ -301,9 +302,15 @@ class Robot:
 
     @property
     def _live(self) -> _Robot:
-        if self._robot is None or not self.alive:
+        if self._robot is None or (self._seen != self.world._edition and not self._look()):
             raise DeadHandleError("this Robot, or a part of it, has been destroyed")
         return self._robot
+
+    def _look(self) -> bool:
+        alive = self.alive
+        if alive:
+            self._seen = self.world._edition
+        return alive
 
     @property
     def alive(self) -> bool:
