@@ -450,7 +450,10 @@ bool program_collides(Geom& a, Geom& b)
 std::uint32_t changes_of(const Geom& geom)
 {
     const HeightfieldData* field = field_of(geom);
-    return geom.changes + (field ? field->changes : 0);
+    if (!field) return geom.changes;
+    // No sum, which is an earlier one again when the field is gone or another stands in its place.
+    const std::uint64_t its = std::uint64_t(field->serial) << 32 | field->changes;
+    return geom.changes ^ std::uint32_t(its * 0x9e3779b97f4a7c15u >> 32);
 }
 
 bool changes_unseen(const Geom& geom)

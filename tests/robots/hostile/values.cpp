@@ -13,6 +13,7 @@ namespace {
 constexpr dReal kNotANumber = std::numeric_limits<dReal>::quiet_NaN(),
                 kInf = std::numeric_limits<dReal>::infinity();
 constexpr dReal kHuge = std::numeric_limits<dReal>::max(), kTiny = std::numeric_limits<dReal>::denorm_min();
+constexpr int kLastQuantity = dBatchVelocityConstraintForces;
 // What robots' functions take at most.
 constexpr dReal kLimit = sizeof(dReal) == 8 ? dReal(1e30) : dReal(1e9);
 constexpr std::size_t kOutputSize = 1 << 16;
@@ -503,7 +504,7 @@ Value Values::choose(const RobotFunction& function, int argument, bool hostile)
         case Role::kBatchOptions:
             return batch_options(argument, hostile);
         case Role::kQuantity:
-            return integer(below(dBatchSweeps + 1), {{-1, kBad}, {dBatchSweeps + 1, kBad}, {INT_MAX, kBad}},
+            return integer(below(kLastQuantity + 1), {{-1, kBad}, {kLastQuantity + 1, kBad}, {INT_MAX, kBad}},
                            hostile);
         case Role::kParameter:
             return integer(below(dBatchGains + 1), {{-1, kBad}, {dBatchGains + 1, kBad}, {INT_MAX, kBad}},
