@@ -20,9 +20,23 @@ bool Player::attempt(bool legal, const char* what, Run&& run)
     return !was_refused;
 }
 
+// What the library answers is taken.
+template <typename Run>
+auto Player::take(Run&& run)
+{
+    struct Count {
+        Player& player;
+        const int before = player.script.refusals;
+        ~Count() { player.refused += player.last_refused_ = player.script.refusals != before; }
+    } count{*this};
+    return run();
+}
+
 // A call with its name; `legal` decides what is expected.
 #define ATTEMPT(legal, function, ...) \
     attempt(legal, #function, [&] { CALL(function __VA_OPT__(, ) __VA_ARGS__); })
+
+#define TRY(function, ...) take([&] { return CALL(function __VA_OPT__(, ) __VA_ARGS__); })
 
 inline void near_c(void* player, dGeomID a, dGeomID b) { static_cast<Player*>(player)->near(a, b); }
 

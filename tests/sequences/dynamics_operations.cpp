@@ -47,6 +47,7 @@ const JointKind kJointKinds[] = {
     PLAIN(LMotor),
     PLAIN(Plane2D),
     PLAIN(Null),
+    PLAIN(Coupling),
 };
 const int kJointKindCount = int(std::size(kJointKinds));
 
@@ -299,7 +300,7 @@ void Player::create_joint(Dice& dice)
     const dJointID id = script.make("j", model.joints.made(), "", k.create_name, k.create, world, group);
     if (!id) return fail("no joint");
     Joint& joint = model.born_joint(id, *world, group, kind);
-    if (world->bodies.empty()) return;
+    if (world->bodies.empty() || k.type == dJointTypeCoupling) return;
     Body* a = any(world->bodies, dice);
     Body* b = any(world->bodies, dice);
     if (a == b) b = nullptr;
@@ -316,6 +317,7 @@ void Player::attach_joint(Dice& dice)
     bool legal = !pair[0] || pair[0] != pair[1];
     for (Body* body : pair) legal = legal && (!body || body->world == joint->world);
     if (joint->kind >= 0 && kJointKinds[joint->kind].needs_two) legal = legal && !pair[0] == !pair[1];
+    if (joint->kind >= 0 && kJointKinds[joint->kind].type == dJointTypeCoupling) legal = false;
     if (ATTEMPT(legal, dJointAttach, joint, pair[0], pair[1])) model.attach(*joint, pair[0], pair[1]);
 }
 
@@ -389,11 +391,14 @@ void Player::step(Dice& dice)
     moved_dice_ = &inner;
     const int before = script.refusals, free = freedom_;
     int made_it = 0;
-    switch (dice.below(3)) {
+    switch (dice.below(4)) {
         case 0:
             made_it = CALL(dWorldStep, world, h);
             break;
         case 1:
+            made_it = CALL(dWorldStepHybrid, world, h);
+            break;
+        case 2:
             made_it = CALL(dWorldQuickStep, world, h);
             break;
         default:
@@ -401,9 +406,12 @@ void Player::step(Dice& dice)
             break;
     }
     moved_dice_ = outer;
-    if (in_callback()) return;
-    if (script.refusals == before && !made_it) fail("a step was not made");
-    if (freedom_ == free) check_islands(*world);
+    if (!in_callback()) {
+        if (script.refusals == before && !made_it) fail("a step was not made");
+        if (freedom_ == free) check_islands(*world);
+    }
+    for (Joint* joint : world->joints)  // one that breaks has acted
+        if (dJointIsBroken(joint->id)) joint->disabled = true;
 }
 
 }  // namespace epode::sequences

@@ -32,6 +32,9 @@ struct World : Object<dWorldID> {
     static constexpr const char* kLetter = "w";
     std::vector<Body*> bodies;
     std::vector<Joint*> joints;
+    Geom* contacts = nullptr;  // the space of its contacts
+    bool filtered = false;     // its contacts, at some time
+    bool plain = true;         // bodies are tied by joints alone
 };
 
 struct Body : Object<dBodyID> {

@@ -77,6 +77,10 @@ class Player {
     template <typename Run>
     bool attempt(bool legal, const char* what, Run&& run);
 
+    template <typename Run>
+    auto take(Run&& run);
+    bool refused_last() const { return last_refused_; }
+
     template <typename T>
     static T* any(const std::vector<T*>& list, Dice& dice)
     {
@@ -116,6 +120,14 @@ class Player {
     void collide(Dice&);
     void collide_two(Dice&);
     void step(Dice&);
+    void use_states(Dice&);
+    void copy_world(Dice&);
+    void extend_world(Dice&);
+    void step_worlds(Dice&);
+    void extend_joint(Dice&);
+    void couple(Dice&);
+    void extend_geom(Dice&);
+    void ask_space(Dice&);
     void call_the_dead(Dice&);
     void call_nothing(Dice&);
     void check_everything(Dice&);
@@ -131,10 +143,12 @@ class Player {
     void check_geoms();
     void check_spaces();
     void check_islands(World& world);
+    void learn(World& world);
     bool dies(Dice& dice, int kind);
 
     std::string complaint_;
     int depth_ = 0;
+    bool last_refused_ = false;
     Dice* near_dice_ = nullptr;    // of the collision in progress
     World* near_world_ = nullptr;  // its contacts' world; null: none are made
     Group* near_group_ = nullptr;
