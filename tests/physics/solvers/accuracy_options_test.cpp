@@ -336,8 +336,8 @@ TEST_F(Projection, ends_with_closed_joints_and_velocities_that_they_allow)
         EXPECT_LT(worst, 1e-6) << i;
         const V3 speeds[2] = {velocity_at(a, {-0.5, 0, 0}),
                               velocity_at(a, {0.5, 0, 0}) - velocity_at(b, {-0.5, 0, 0})};
-        for (const V3& parting : speeds)
-            EXPECT_LT(length(parting), tol(1e-8, 1e-5)) << i;  // what CFM lets them give
+        for (const V3& apart : speeds)
+            EXPECT_LT(length(apart), tol(1e-8, 1e-5)) << i;  // what CFM lets them give
     }
 }
 
