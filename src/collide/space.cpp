@@ -9,6 +9,7 @@
 
 #include "base/objects/structure_edition.h"
 #include "base/prefetch.h"
+#include "collide/transform.h"
 
 namespace epode {
 namespace {
@@ -254,6 +255,8 @@ void note_geoms_listed(Space& space)
 
 void note_rules_changed(Geom& geom)
 {
+    // They are part of what a transform that holds the geom is.
+    for (TransformGeom* holder = geom.holders; holder; holder = holder->next_holder) mark_changed(*holder);
     if (geom.space) note_disturbed(*geom.space, geom);
     for (Space* space = geom.space; space; space = space->space) ++space->edition;
 }

@@ -67,6 +67,29 @@ TEST(WorldFiles, have_no_height_field_that_is_gone)
     dWorldDestroy(world), dSpaceDestroy(space);
 }
 
+// What is remembered of a transform's shape is forgotten where the rules of what it holds change.
+TEST(WorldFiles, have_the_bits_of_what_a_transform_holds)
+{
+    const Messages messages;
+    const dWorldID world = dWorldCreate();
+    const dBodyID body = dBodyCreate(world);
+    const dGeomID held = dCreateSphere(nullptr, 1), transform = dCreateGeomTransform(nullptr);
+    dGeomTransformSetCleanup(transform, 1);
+    dGeomTransformSetGeom(transform, held);
+    dGeomSetBody(transform, body);
+    EXPECT_GT(dWorldGetStateSize(world), 0u);
+    dGeomSetCategoryBits(held, 3);
+    const Bytes file = file_of(world, nullptr);
+    const dWorldID copy = load(file);
+    ASSERT_NE(copy, nullptr) << Messages::last();
+    dBodyID its_body = nullptr;
+    ASSERT_EQ(dWorldGetBodies(copy, &its_body, 1), 1);
+    const dGeomID its = dBodyGetFirstGeom(its_body);
+    EXPECT_EQ(dGeomGetCategoryBits(dGeomTransformGetGeom(its)), 3ul);
+    dGeomDestroy(its), dGeomDestroy(transform);
+    dWorldDestroy(copy), dWorldDestroy(world);
+}
+
 TEST(WorldFileRefusals, name_the_first_fault)
 {
     const Messages messages;
