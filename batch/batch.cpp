@@ -146,7 +146,7 @@ class Batch : public AnyBatch {
 
   private:
     static constexpr Quantity kWritable[] = {Quantity::kPositions, Quantity::kVelocities, Quantity::kControls,
-                                             Quantity::kApplied};
+                                             Quantity::kApplied, Quantity::kActivations};
 
     std::size_t group_numbers() const { return std::size_t(layout_.rows) * std::size_t(lanes_); }
     T* bound(Quantity quantity) const { return bound_[std::size_t(quantity)]; }
@@ -158,10 +158,11 @@ class Batch : public AnyBatch {
 
     int row_of(Quantity quantity) const
     {
-        const int rows[] = {layout_.q,          layout_.v,        layout_.control,    layout_.applied,
-                            layout_.forces,     layout_.bad,      layout_.residual,   layout_.sweeps,
-                            observed_.position, observed_.turn,   observed_.velocity, observed_.inertia,
-                            observed_.contact,  observed_.centre, observed_.actuator, observed_.constraint};
+        const int rows[] = {layout_.q,           layout_.v,          layout_.control,    layout_.applied,
+                            layout_.forces,      layout_.bad,        layout_.residual,   layout_.sweeps,
+                            layout_.activations, observed_.position, observed_.turn,     observed_.velocity,
+                            observed_.inertia,   observed_.contact,  observed_.centre,   observed_.actuator,
+                            observed_.constraint};
         return rows[int(quantity)];
     }
 
@@ -339,6 +340,8 @@ int AnyBatch::size_of(Quantity quantity) const
             return model_.positions;
         case Quantity::kControls:
             return model_.controls;
+        case Quantity::kActivations:
+            return model_.filters;
         case Quantity::kForces:
             return model_.impulses();
         case Quantity::kVelocities:

@@ -16,7 +16,7 @@
 
 namespace epode::batch {
 
-// What of a copy can be read; positions, velocities, controls and applied forces can be written too.
+// What of a copy can be read; positions, velocities, controls, applied forces and activations can be written too.
 enum class Quantity {
     kPositions,
     kVelocities,
@@ -26,6 +26,7 @@ enum class Quantity {
     kBad,
     kResidual,
     kSweeps,
+    kActivations,
     // Observations (lanes/observe.h), for which nothing is kept.
     kLinkPositions,
     kLinkTurns,

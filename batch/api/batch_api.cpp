@@ -27,7 +27,10 @@ AnyBatch* alive(dBatchID batch)
 }
 
 bool is_quantity(int quantity) { return quantity >= 0 && quantity < int(Quantity::kCount); }
-bool can_be_written(int quantity) { return quantity >= dBatchPositions && quantity <= dBatchAppliedForces; }
+bool can_be_written(int quantity)
+{
+    return (quantity >= dBatchPositions && quantity <= dBatchAppliedForces) || quantity == dBatchActivations;
+}
 bool is_between(dReal x, dReal low, dReal high) { return x >= low && x <= high; }
 
 bool are_good(const dBatchOptions& o)
@@ -145,7 +148,7 @@ int dBatchWrite(dBatchID batch, int quantity, int first, int count, const void* 
 {
     AnyBatch* its = alive(batch);
     CHECK(is_part(its, quantity, first, count, numbers), kPart);
-    CHECK(can_be_written(quantity), "positions, velocities, controls or applied forces");
+    CHECK(can_be_written(quantity), "positions, velocities, controls, applied forces or activations");
     return guarded(__func__, [&] {
         const bool good = its->write(Quantity(quantity), first, count, numbers);
         return int(check(good, "dBatchWrite", "numbers that are finite, and quaternions with a length"));

@@ -8,7 +8,7 @@
 // row of its own with that limit (rows.h), which has the same force wherever it does not reach it.
 #pragma once
 
-#include "batch/lanes/work.h"
+#include "batch/lanes/filters.h"
 
 namespace epode::batch {
 namespace {
@@ -18,7 +18,7 @@ struct Drives {
     using T = typename P::Number;
     const ModelView& model;
     Numbers<P, own> numbers;
-    const P *q, *v, *control, *applied;
+    const P *q, *v, *control, *applied, *activations;
     P h;
     Work<P>& work;
 
@@ -29,6 +29,7 @@ struct Drives {
         for (const BatchJoint& joint : model.joints)
             if (joint.kind == JointKind::kFree) turn_torque(joint);
         for (int i = 0; i < model.servos; ++i) servos[i] = {P(0), P(0), P(0)};
+        for (int i = 0; i < model.sums.size(); ++i) measure(model.sums[i], work.sums[i]);
         for (int i = 0; i < model.actuators.size(); ++i) actuate(model.actuators[i], control[i], servos);
         for (int i = 0; i < model.dofs.size(); ++i)
             if (model.dofs[i].servo >= 0) settle(model.dofs[i], i, servos[model.dofs[i].servo]);
@@ -55,12 +56,56 @@ struct Drives {
             work.torque[joint.dof + 3 + k] = work.torque[joint.dof + 3 + k] + (by[k] - its[k]);
     }
 
+    // The sum's length, and what its own spring and damper ask for.
+    void measure(const BatchSum& sum, SumWork<P>& its) const
+    {
+        const auto number = [&](int which) { return numbers[sum.first + which]; };
+        its.length = P(0);
+        for (int k = sum.first_term; k < sum.first_term + sum.terms; ++k)
+            its.length = its.length + numbers[model.sum_terms[k].factor] * q[model.sum_terms[k].position];
+        const P k = number(sum_number::kStiffness);
+        its.drive = {-k * (its.length - number(sum_number::kRest)), number(sum_number::kDamping) + h * k,
+                     P(1)};
+    }
+
+    P input(const BatchActuator& a, const P& control_of) const
+    {
+        const P u = clip(control_of, numbers[a.first + actuator_number::kLow],
+                         numbers[a.first + actuator_number::kHigh]);
+        if (a.filter < 0) return u;
+        return filtered(a, numbers, activations[a.filter], u, h, work.activations[a.filter]);
+    }
+
+    // On a sum of coordinates: what depends on it joins its row.
+    void pull(const BatchActuator& a, const P& u) const
+    {
+        const auto number = [&](int which) { return numbers[a.first + which]; };
+        const BatchSum& sum = model.sums[a.sum];
+        SumWork<P>& its = work.sums[a.sum];
+        const P gear = number(actuator_number::kGear), zero(0);
+        P force = number(actuator_number::kGain) * u + number(actuator_number::kBias);
+        if (!a.is_servo)
+            force = clip(force, number(actuator_number::kForceLow), number(actuator_number::kForceHigh));
+        const P k = at_least(zero, gear * gear * number(actuator_number::kBiasPosition)),
+                d = at_least(zero, gear * gear * number(actuator_number::kBiasVelocity));
+        if (sum.drive >= 0) {
+            its.drive.force = its.drive.force + (gear * force - k * its.length);
+            its.drive.gain = its.drive.gain + (d + h * k);
+            return;
+        }
+        for (int i = sum.first_term; i < sum.first_term + sum.terms; ++i) {
+            const SumTerm& term = model.sum_terms[i];
+            work.torque[term.dof] = work.torque[term.dof] + numbers[term.factor] * (gear * force);
+        }
+    }
+
     void actuate(const BatchActuator& a, const P& control_of, ServoWork<P>* servos) const
     {
         const auto number = [&](int which) { return numbers[a.first + which]; };
+        const P u = input(a, control_of);
+        if (a.sum >= 0) return pull(a, u);
         const Dof& dof = model.dofs[a.dof];
-        const P gear = number(actuator_number::kGear),
-                u = clip(control_of, number(actuator_number::kLow), number(actuator_number::kHigh));
+        const P gear = number(actuator_number::kGear);
         const P force = number(actuator_number::kGain) * u + number(actuator_number::kBias);
         if (!a.is_servo) {
             const P most = numbers[dof.first + dof_number::kForceLimit];

@@ -11,7 +11,7 @@
 namespace epode::batch {
 
 struct GroupLayout {
-    int q, v, control, applied, forces, before, bad, residual, sweeps, rows;
+    int q, v, control, applied, forces, before, bad, residual, sweeps, activations, rows;
 
     template <typename Model>
     EPODE_ALWAYS explicit GroupLayout(const Model& model)
@@ -24,7 +24,8 @@ struct GroupLayout {
           bad(before + model.positions),
           residual(bad + 1),
           sweeps(residual + 1),
-          rows(sweeps + 1)
+          activations(sweeps + 1),
+          rows(activations + model.filters)
     {}
 };
 

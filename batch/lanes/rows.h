@@ -4,32 +4,13 @@
 // Constraints that are near in some copy, as rows in the factor's space: y = D^-1/2 L^-T J', whose support is that of J with all its
 // ancestors. In copies where a constraint is far its row has no inverse mass, so that its impulse stays 0: what neighbours do does not
 // matter. Impulses of the last step, kept as forces, are where sweeps begin.
-//   gap g > 0   may close within the step, not more: J v >= -g / h
-//   overlap     a share of it is taken back: J v >= min(erp (-g) / h, most)
-//   spring k, d force -k (g + h J v) - d J v: J v + impulse / (h (h k + d)) >= -g k / (h k + d)
 #pragma once
 
-#include "batch/lanes/drives.h"
 #include "batch/lanes/points.h"
+#include "batch/lanes/sums.h"
 
 namespace epode::batch {
 namespace {
-
-template <typename P>
-struct Law {
-    P bias, soft;
-};
-
-template <typename P>
-EPODE_LANEWISE Law<P> law_of(const P& gap, const P& stiffness, const P& damping, const StepOptions& options)
-{
-    using T = typename P::Number;
-    const P h(T(options.h)), rate(T(1 / options.h)), implicit = h * stiffness + damping;
-    const P soft = if_positive(stiffness, P(1) / (h * implicit), P(0));
-    const P share = if_positive(stiffness, stiffness / implicit, P(T(options.erp / options.h)));
-    const P back = at_most(P(T(options.most_correction)), share * -gap);
-    return {if_positive(gap, -gap * rate, back), soft};
-}
 
 // Any right-handed frame of a unit vector: Duff et al., Building an orthonormal basis, revisited, JCGT 6(1), 2017.
 template <typename P>
@@ -59,11 +40,12 @@ struct Rows {
             if (dof.servo >= 0) servo(dof);
             if (dof.limit >= 0) limit(dof);
         }
+        if (model.sums.size() > 0) Sums<P, own>{model, numbers, options, q, v, forces, work}.find();
         Points<P, own>{model, numbers, work}.place();
         for (const BatchPair& pair : model.pairs) touch(pair);
     }
 
-    // In `forces` and `impulses`: contacts, limits, dry friction, servos.
+    // In `forces` and `impulses`: contacts, limits, dry friction, servos, sums.
     int limit_at(const Dof& dof) const { return 3 * model.slots + dof.limit; }
     int dry_at(const Dof& dof) const { return 3 * model.slots + model.limits + dof.dry; }
     int servo_at(const Dof& dof) const { return 3 * model.slots + model.limits + model.dry + dof.servo; }
@@ -86,30 +68,18 @@ struct Rows {
         return y;
     }
 
-    SingleRow<P>& single(const Dof& dof, int at, const P& sign, const P& wanted, const Law<P>& law) const
+    Singles<P> singles() const { return {options, forces, work}; }
+    Direction<P> along(const Dof& dof) const
     {
-        SingleRow<P>& row = work.singles[work.single_count++];
-        row.dof = &dof, row.y = column(dof), row.impulse = work.impulses + at;
-        P square(0);
-        for (int k = 0; k <= dof.depth; ++k) square = square + row.y[k] * row.y[k];
-        row.sign = sign, row.bias = law.bias, row.soft = law.soft;
-        row.d = if_positive(wanted, square + law.soft, P(0)), row.mass = inverse_or_zero(row.d);
-        return row;
-    }
-
-    void begin(const SingleRow<P>& row, int at) const
-    {
-        *row.impulse = clip(if_positive(row.d, P(T(options.h)) * forces[at], P(0)), row.low, row.high);
-        P* const* z = work.chain_z + row.dof->chain;
-        for (int k = 0; k <= row.dof->depth; ++k) *z[k] = *z[k] + row.sign * (row.y[k] * *row.impulse);
+        return {column(dof), work.chain_z + dof.chain, dof.depth + 1};
     }
 
     void dry(const Dof& dof) const
     {
         const P most = P(T(options.h)) * numbers[dof.first + dof_number::kFriction];
-        SingleRow<P>& row = single(dof, dry_at(dof), P(1), P(1), {P(0), P(0)});
+        SingleRow<P>& row = singles().add(along(dof), dry_at(dof), P(1), P(1), {P(0), P(0)});
         row.low = -most, row.high = most;
-        begin(row, dry_at(dof));
+        singles().begin(row, dry_at(dof));
     }
 
     void servo(const Dof& dof) const
@@ -119,9 +89,10 @@ struct Rows {
         if (!any_positive(its.wanted)) return;
         const P h(T(options.h)), gain = inverse_or_zero(its.gain), zero(0);
         const P most = if_positive(its.wanted, h * numbers[dof.first + dof_number::kForceLimit], zero);
-        SingleRow<P>& row = single(dof, servo_at(dof), P(1), its.wanted, {its.force * gain, gain / h});
+        SingleRow<P>& row =
+            singles().add(along(dof), servo_at(dof), P(1), its.wanted, {its.force * gain, gain / h});
         row.low = -most, row.high = most;
-        begin(row, servo_at(dof));
+        singles().begin(row, servo_at(dof));
     }
 
     void limit(const Dof& dof) const
@@ -137,9 +108,9 @@ struct Rows {
         if (!any_positive(near)) return;
         const Law<P> law = law_of(gap, numbers[dof.first + dof_number::kStopStiffness],
                                   numbers[dof.first + dof_number::kStopDamping], options);
-        SingleRow<P>& row = single(dof, at, sign, near, law);
+        SingleRow<P>& row = singles().add(along(dof), at, sign, near, law);
         row.low = zero, row.high = if_positive(near, P(T(1e30)), zero);
-        begin(row, at);
+        singles().begin(row, at);
     }
 
     void touch(const BatchPair& pair) const

@@ -26,16 +26,16 @@ struct Solve {
 
     EPODE_LANEWISE P visit(const SingleRow<P>& row, const P& pace) const
     {
-        P* const* z = work.chain_z + row.dof->chain;
+        P* const* z = row.z;
         P velocity(0);
-        for (int k = 0; k <= row.dof->depth; ++k) velocity = velocity + row.y[k] * *z[k];
+        for (int k = 0; k < row.width; ++k) velocity = velocity + row.y[k] * *z[k];
         const P old = *row.impulse,
                 wanted = old - row.mass * (row.sign * velocity - row.bias + row.soft * old);
         const P asked = clip(wanted, row.low, row.high) - old, change = if_positive(pace, pace * asked, P(0)),
                 along = row.sign * change;
         if (!any_positive(magnitude(change))) return row.d * magnitude(asked);
         *row.impulse = old + change;
-        for (int k = 0; k <= row.dof->depth; ++k) *z[k] = *z[k] + row.y[k] * along;
+        for (int k = 0; k < row.width; ++k) *z[k] = *z[k] + row.y[k] * along;
         return row.d * magnitude(asked);
     }
 

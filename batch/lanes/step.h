@@ -49,8 +49,15 @@ struct Step {
         P *q = rows_at<P>(group, at.q), *v = rows_at<P>(group, at.v), *forces = rows_at<P>(group, at.forces);
         const P h(T(options.h));
         Motion<P, own>{model, numbers, q, v, work}.find();
-        Drives<P, own>{model, numbers, q, v, rows_at<P>(group, at.control), rows_at<P>(group, at.applied),
-                       h,     work}
+        Drives<P, own>{model,
+                       numbers,
+                       q,
+                       v,
+                       rows_at<P>(group, at.control),
+                       rows_at<P>(group, at.applied),
+                       rows_at<P>(group, at.activations),
+                       h,
+                       work}
             .find();
         find_mass(model, work);
         factor(model, work);
@@ -84,6 +91,9 @@ struct Step {
         for (int i = 0; i < model.positions; ++i) q[i] = if_positive(good, q[i] + zero, before[i]);
         for (int i = 0; i < model.impulses(); ++i)
             forces[i] = if_positive(good, rate * work.impulses[i] + zero, zero);
+        P* activations = rows_at<P>(group, at.activations);
+        for (int i = 0; i < model.filters; ++i)
+            activations[i] = if_positive(good, work.activations[i] + zero, activations[i]);
         bad = if_positive(good, zero, P(1));
         *rows_at<P>(group, at.residual) = work.worst, *rows_at<P>(group, at.sweeps) = work.sweeps;
     }

@@ -89,11 +89,12 @@ struct ContactRow {
     P inverse, step;    // 1 / (a c - b^2), 1 / e
 };
 
-// A limit, dry friction or a limited servo: a row of one dof.
+// A row of one direction: a limit, dry friction, a limited servo, a sum of coordinates.
 template <typename P>
 struct SingleRow {
-    const Dof* dof;
     const P* y;
+    P* const* z;  // of the dofs that it moves, as many as its width
+    int width;
     P* impulse;
     P sign, bias, soft, d, mass, low, high;
 };
@@ -102,6 +103,13 @@ struct SingleRow {
 template <typename P>
 struct ServoWork {
     P force, gain, wanted;
+};
+
+// A weighted sum of coordinates, and what springs and servos on it ask for.
+template <typename P>
+struct SumWork {
+    P length;
+    ServoWork<P> drive;
 };
 
 // All of it lies in one block of memory: laid out once to find its size, and once for good, for all steps.
@@ -115,6 +123,11 @@ struct Work {
     P *m, *d, *root;    // L below its diagonal, along chains; D^-1; D^-1/2
     P *torque, *added;  // of dofs; what joins M's diagonal
     ServoWork<P>* servos;
+    SumWork<P>* sums;
+    P *sum_y, *scattered;  // y of sums; a number of each dof
+    P** sum_z;
+    bool* sum_ready;  // whose y is known
+    P* activations;   // of filters, after the step
     P *z, *v;
     P **chain_z, **support_z;   // where z of the dofs of chains and supports is
     Placed<P>* placed;          // shapes
@@ -148,7 +161,11 @@ struct Work {
         for (const BatchPair& pair : model.pairs)
             widest += 3 * pair.slots * model.supports[pair.support].count();
         place(rows, widest), place(columns, model.entries), place(has_column, dofs);
-        place(contacts, model.slots), place(singles, model.limits + model.dry + model.servos);
+        place(contacts, model.slots),
+            place(singles, model.limits + model.dry + model.servos + model.sum_rows);
+        place(sums, model.sums.size()), place(sum_y, model.sum_dofs.size()), place(scattered, dofs),
+            place(sum_z, model.sum_dofs.size()), place(sum_ready, model.sums.size());
+        place(activations, model.filters);
         place(impulses, impulse_count), place(last_impulses, impulse_count);
         place(gaps, kMostPoints), place(points, kMostPoints), place(normals, kMostPoints);
         return end;
@@ -159,6 +176,7 @@ struct Work {
     {
         for (int i = 0; i < model.chains.size(); ++i) chain_z[i] = z + model.chains[i];
         for (int i = 0; i < model.support_dofs.size(); ++i) support_z[i] = z + model.support_dofs[i];
+        for (int i = 0; i < model.sum_dofs.size(); ++i) sum_z[i] = z + model.sum_dofs[i];
     }
 
     static constexpr int kMostPoints = 8;  // of a pair

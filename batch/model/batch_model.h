@@ -49,6 +49,12 @@ enum : int {
 namespace actuator_number {
 enum : int { kGear, kGain, kBias, kBiasPosition, kBiasVelocity, kLow, kHigh, kForceLow, kForceHigh, kCount };
 }
+namespace filter_number {
+enum : int { kTime, kLow, kHigh, kCount };
+}
+namespace sum_number {
+enum : int { kLow, kHigh, kRest, kStiffness, kDamping, kForceLimit, kCount };
+}
 namespace shape_number {
 enum : int { kPlace = 0, kTurn = 3, kSize = 7, kCount = 10 };
 }
@@ -83,6 +89,23 @@ struct Dof {
 struct BatchActuator {
     int dof = 0, position = 0, first = 0;
     bool is_servo = false;
+    int sum = -1;                       // that it pulls on, in place of a dof
+    int filter = -1, filter_first = 0;  // which activation is its, and where the filter's numbers are
+    robots::Activation::Kind kind = robots::Activation::Kind::kNone;
+    bool is_early = false;  // what acts is the activation at the step's end
+};
+
+struct SumTerm {
+    int dof = 0, position = 0, factor = 0;  // factor: which number
+};
+
+// A weighted sum of coordinates: a coupling, which keeps it at its low end, or a tendon (lanes/sums.h).
+struct BatchSum {
+    int first_term = 0, terms = 0;  // in sum_terms
+    int support = 0, width = 0;     // in sum_dofs: its dofs with their ancestors, ascending
+    int first = 0;
+    int stop = -1, drive = -1;  // which of the sums' rows keeps limits, which pulls
+    bool is_equality = false;
 };
 
 enum class PointKind {  // of a pair: the shape of link a, then that of link b
@@ -130,14 +153,18 @@ struct BatchModel {
     std::vector<BatchPair> pairs;
     std::vector<Support> supports;
     std::vector<int> support_dofs;
+    std::vector<BatchSum> sums;
+    std::vector<SumTerm> sum_terms;
+    std::vector<int> sum_dofs;
     std::vector<double> numbers;
     std::vector<double> reference;  // positions
     int positions = 0, velocities = 0, controls = 0, trees = 0, slots = 0,
-        entries = 0;                      // entries: of the mass matrix
-    int limits = 0, dry = 0, servos = 0;  // rows that they may make
-    int gravity = 0;                      // where its three numbers begin
+        entries = 0;                                    // entries: of the mass matrix
+    int limits = 0, dry = 0, servos = 0, sum_rows = 0;  // rows that they may make
+    int filters = 0;                                    // activations
+    int gravity = 0;                                    // where its three numbers begin
     // Of all rows of constraints the impulses of the last step, three a slot of contact.
-    int impulses() const { return 3 * slots + limits + dry + servos; }
+    int impulses() const { return 3 * slots + limits + dry + servos + sum_rows; }
 };
 
 // False: what a batch cannot take, as a sentence that names the element.

@@ -7,6 +7,7 @@
 #include "batch/model/batch_model.h"
 #include "batch/model/pairs.h"
 #include "batch/model/refusal.h"
+#include "batch/model/sums.h"
 #include "robots/inertia.h"
 #include "robots/kinematics.h"
 
@@ -109,15 +110,28 @@ bool is_in_order(const RobotModel& model)
     return true;
 }
 
-void add_actuator(BatchModel& out, const RobotModel& model, const Actuator& a)
+void add_filter(BatchModel& out, const Activation& filter, BatchActuator& its)
+{
+    if (filter.kind == Activation::Kind::kNone) return;
+    its.kind = filter.kind, its.is_early = filter.is_early, its.filter = out.filters++;
+    its.filter_first = add(out.numbers, {filter.time, within_far(filter.low), within_far(filter.high)});
+}
+
+void add_actuator(BatchModel& out, const Actuator& a, const std::vector<int>& sums)
 {
     BatchActuator its;
-    const BatchJoint& joint = out.joints[size_t(a.joint)];
-    its.dof = joint.dof, its.position = joint.position;
+    add_filter(out, a.filter, its);
+    if (a.joint >= 0) {
+        const BatchJoint& joint = out.joints[size_t(a.joint)];
+        its.dof = joint.dof, its.position = joint.position;
+    } else {
+        its.sum = sums[size_t(a.tendon)];
+    }
     its.is_servo = a.bias_position != 0 || a.bias_velocity != 0;
     its.first = add(out.numbers, {a.gear, a.gain, a.bias, a.bias_position, a.bias_velocity, within_far(a.low),
                                   within_far(a.high), within_far(a.force_low), within_far(a.force_high)});
     out.actuators.push_back(its);
+    if (its.sum >= 0) return;
     // A servo whose force is limited is a row of its own where it may reach its limit.
     Dof& dof = out.dofs[size_t(its.dof)];
     const double limit = std::fabs(a.gear) * std::max(-a.force_low, a.force_high);
@@ -125,7 +139,6 @@ void add_actuator(BatchModel& out, const RobotModel& model, const Actuator& a)
     if (!its.is_servo) return;
     stated = std::min(stated, within_far(limit));
     if (stated < kFar && dof.servo < 0) dof.servo = out.servos++;
-    static_cast<void>(model);
 }
 
 void add_shapes(BatchModel& out, const RobotModel& model)
@@ -169,7 +182,8 @@ bool compile(const Prepared& prepared, BatchModel& out, std::string& refusal)
     out.gravity = add(out.numbers, {model.gravity.x, model.gravity.y, model.gravity.z});
     for (const Link& link : model.links) add_link(out, link);
     for (size_t i = 1; i < model.links.size(); ++i) add_joints_of(out, prepared, int(i));
-    for (const Actuator& actuator : model.actuators) add_actuator(out, model, actuator);
+    const std::vector<int> sums = add_sums(out, prepared);
+    for (const Actuator& actuator : model.actuators) add_actuator(out, actuator, sums);
     add_shapes(out, model);
     out.reference = reference_positions(model);
     out.positions = model.coordinates, out.velocities = int(out.dofs.size()),

@@ -39,6 +39,9 @@ struct ModelView {
           pairs(items_of(model.pairs)),
           supports(items_of(model.supports)),
           support_dofs(items_of(model.support_dofs)),
+          sums(items_of(model.sums)),
+          sum_terms(items_of(model.sum_terms)),
+          sum_dofs(items_of(model.sum_dofs)),
           positions(model.positions),
           velocities(model.velocities),
           controls(model.controls),
@@ -48,7 +51,9 @@ struct ModelView {
           limits(model.limits),
           dry(model.dry),
           servos(model.servos),
-          gravity(model.gravity)
+          gravity(model.gravity),
+          sum_rows(model.sum_rows),
+          filters(model.filters)
     {}
 
     Items<BatchLink> links;
@@ -60,9 +65,14 @@ struct ModelView {
     Items<BatchPair> pairs;
     Items<Support> supports;
     Items<int> support_dofs;
-    int positions, velocities, controls, trees, slots, entries, limits, dry, servos, gravity;
+    Items<BatchSum> sums;
+    Items<SumTerm> sum_terms;
+    Items<int> sum_dofs;
+    int positions, velocities, controls, trees, slots, entries, limits, dry, servos, gravity, sum_rows,
+        filters;
 
-    EPODE_ALWAYS int impulses() const { return 3 * slots + limits + dry + servos; }
+    EPODE_ALWAYS int first_sum() const { return 3 * slots + limits + dry + servos; }
+    EPODE_ALWAYS int impulses() const { return first_sum() + sum_rows; }
 };
 
 }  // namespace epode::batch

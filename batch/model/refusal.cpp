@@ -14,6 +14,18 @@ namespace {
 
 std::string named(const char* what, const std::string& name) { return std::string(what) + " '" + name + "'"; }
 
+std::string refused_terms(const RobotModel& model, const char* what, const std::string& name,
+                          const std::vector<Coupling::Term>& terms)
+{
+    bool moves = false;
+    for (const Coupling::Term& term : terms) {
+        if (!model.joints[size_t(term.joint)].is_scalar())
+            return named(what, name) + ": a batch sums coordinates of hinges and sliders only";
+        moves |= term.factor != 0;
+    }
+    return moves ? "" : named(what, name) + ": a batch needs a factor that is not 0";
+}
+
 std::string refused_joint(const Joint& joint)
 {
     if (joint.is_scalar()) return {};
@@ -23,13 +35,23 @@ std::string refused_joint(const Joint& joint)
                 : "";
 }
 
-std::string refused_actuator(const Actuator& actuator)
+// A spatial one that nothing acts on is only measured.
+std::string refused_tendon(const RobotModel& model, size_t number)
 {
-    if (actuator.joint < 0)
-        return named("actuator", actuator.name) + ": a batch drives joints only, not tendons";
-    if (actuator.filter.kind != Activation::Kind::kNone)
-        return named("actuator", actuator.name) + ": a batch has no filters between control and force";
-    return {};
+    const Tendon& its = model.tendons[number];
+    if (its.path.empty()) return refused_terms(model, "tendon", its.name, its.terms);
+    bool acts = its.stiffness > 0 || its.damping > 0 || its.low > -kInfinity || its.high < kInfinity;
+    for (const Actuator& a : model.actuators) acts |= a.tendon == int(number);
+    return acts ? named("tendon", its.name) + ": a batch has no tendons with a path" : "";
+}
+
+std::string refused_sums(const RobotModel& model)
+{
+    std::string problem;
+    for (size_t i = 0; i < model.couplings.size() && problem.empty(); ++i)
+        problem = refused_terms(model, "coupling", model.couplings[i].name, model.couplings[i].terms);
+    for (size_t i = 0; i < model.tendons.size() && problem.empty(); ++i) problem = refused_tendon(model, i);
+    return problem;
 }
 
 std::string refused_link(const Link& link, size_t number)
@@ -59,20 +81,13 @@ std::string refusal_of(const RobotModel& model)
 {
     if (model.has_errors()) return "the model has errors: see its report";
     if (number_of_velocities(model) == 0) return "the model has no joints: nothing of it moves";
-    if (!model.couplings.empty())
-        return named("coupling", model.couplings[0].name) + ": a batch has no couplings";
     if (!model.closures.empty()) return named("loop", model.closures[0].name) + ": a batch has no loops";
-    for (const Tendon& tendon : model.tendons)
-        if (!tendon.path.empty() || tendon.stiffness > 0 || tendon.damping > 0 || tendon.low > -kInfinity ||
-            tendon.high < kInfinity)
-            return named("tendon", tendon.name) + ": a batch has no tendons";
     std::string problem = refused_free(model);
+    if (problem.empty()) problem = refused_sums(model);
     for (size_t i = 0; i < model.links.size() && problem.empty(); ++i)
         problem = refused_link(model.links[i], i);
     for (size_t i = 0; i < model.joints.size() && problem.empty(); ++i)
         problem = refused_joint(model.joints[i]);
-    for (size_t i = 0; i < model.actuators.size() && problem.empty(); ++i)
-        problem = refused_actuator(model.actuators[i]);
     return problem;
 }
 

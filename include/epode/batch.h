@@ -55,11 +55,12 @@ typedef enum {
     dBatchVelocities,    /**< velocities; can be written */
     dBatchControls,      /**< of actuators, in their order; can be written */
     dBatchAppliedForces, /**< along the velocities, N or N m, until they are changed; can be written */
-    dBatchConstraintForces, /**< of the last step: three of each contact point (normal, two tangents), then of limits, dry friction
-                                 and limited servos, N or N m */
+    dBatchConstraintForces, /**< of the last step: three of each contact point (normal, two tangents), then of limits, dry friction,
+                                 limited servos, couplings and tendons (limit, then drive), N or N m */
     dBatchBad,      /**< 1: the copy's numbers left the finite; it keeps its last state until it is reset */
     dBatchResidual, /**< what the last sweep of the last step changed, m/s */
     dBatchSweeps,   /**< of the last step */
+    dBatchActivations, /**< of actuators with a filter between control and force, in their order; can be written */
     dBatchLinkPositions,   /**< of links' origins, in the world: three each, the world's own (0) first */
     dBatchLinkQuaternions, /**< of links, in the world */
     dBatchLinkVelocities, /**< angular, then linear of the point of the link that is at C, the centre of mass of its tree (all that
@@ -74,7 +75,7 @@ typedef enum {
 
 /** Create a batch of `count` copies of the model, at the reference position and at rest. options may be NULL. The model may be
     destroyed afterwards. Destroy the batch with dBatchDestroy. Returns 0, with a message that names the element, when refused: a
-    model with errors; what a batch does not have (filters of actuators, tendons, couplings, loops, a medium, contacts other than of
+    model with errors; what a batch does not have (tendons with a path, loops, a medium, contacts other than of
     spheres, capsules, boxes, cylinders and ellipsoids on planes, spheres and capsules among themselves, spheres on boxes); count below
     1; options out of their ranges; too little memory. [ours] */
 ODE_API dBatchID dBatchCreate(dRobotModelID model, int count, const dBatchOptions* options);

@@ -23,7 +23,7 @@ from .errors import RefusedError
 from .robot import Model
 from .world import World
 
-_QUANTITIES = ("qpos", "qvel", "ctrl", "applied", "forces", "bad", "residual", "sweeps",
+_QUANTITIES = ("qpos", "qvel", "ctrl", "applied", "forces", "bad", "residual", "sweeps", "act",
                "xpos", "xquat", "cvel", "cinert", "cfrc_ext", "com", "qfrc_actuator", "qfrc_constraint")
 _PARAMETERS = ("gravity", "mass", "friction", "armature", "damping", "stiffness", "gain")
 
@@ -36,8 +36,9 @@ def _number_in(names: tuple[str, ...], name: str, what: str) -> int:
 
 class Batch:
     """n copies of a model. Arrays have a row for each copy: qpos and qvel are coordinates and velocities as the model's ``joints``
-    number them, ctrl the actuators' controls, applied forces along the velocities; forces (of contact points, limits, dry friction,
-    servos), bad (1: the copy left the finite and waits for its reset), residual and sweeps of the last step can only be read.
+    number them, ctrl the actuators' controls, act the activations of those with a filter, applied forces along the velocities; forces
+    (of contact points, limits, dry friction, servos, couplings, tendons), bad (1: the copy left the finite and waits for its reset),
+    residual and sweeps of the last step can only be read.
 
     So can what follows from them, under MuJoCo's names, a link's numbers side by side: xpos and xquat of links, cvel and cinert about
     the centre of mass of their tree, com of all; qfrc_actuator in this state; cfrc_ext on links and qfrc_constraint of the last step.
@@ -89,7 +90,7 @@ class Batch:
         return self._batch.size(_number_in(_QUANTITIES, name, "quantity"))
 
     def bind(self, name: str) -> NDArray[Any]:
-        """The live array (copies, size) of a quantity: steps and resets write it, and steps first read qpos, qvel, ctrl and applied."""
+        """The live array (copies, size) of a quantity: steps and resets write it, and steps first read qpos, qvel, ctrl, applied and act."""
         if name not in self._bound:
             array = np.empty((self.copies, self.size(name)), self.dtype)
             self._batch.bind(_QUANTITIES.index(name), array)
@@ -103,7 +104,7 @@ class Batch:
         return array
 
     def write(self, name: str, values: ArrayLike) -> None:
-        """Sets qpos, qvel, ctrl or applied of all copies: (copies, size), or a row for all."""
+        """Sets qpos, qvel, ctrl, applied or act of all copies: (copies, size), or a row for all."""
         number, size = _number_in(_QUANTITIES, name, "quantity"), self.size(name)
         array = self._rows(values, size)
         self._batch.write(number, 0, self.copies, array)

@@ -86,8 +86,8 @@ void write_quantity(BoundBatch& b, int quantity, int first, int count, nb::handl
 {
     const Use use(b);
     const Quantity its = quantity_of(quantity);
-    if (quantity > int(Quantity::kApplied))
-        throw nb::value_error("only qpos, qvel, ctrl and applied can be written");
+    if (quantity > int(Quantity::kApplied) && its != Quantity::kActivations)
+        throw nb::value_error("only qpos, qvel, ctrl, applied and act can be written");
     const void* from = memory_of(b.its(), array, b.its().size_of(its), first, count);
     if (!b.its().write(its, first, count, from)) throw nb::value_error(kFinite);
 }

@@ -73,11 +73,7 @@ std::uint64_t hash_after(const char* text, int steps)
     dBatchStep(copies.id, steps);
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (int i = 0; i < 24; ++i)
-        for (const T x : state_of(copies, i)) {
-            std::uint64_t bits = 0;
-            std::memcpy(&bits, &x, sizeof x);
-            hash = (hash ^ bits) * 0x100000001b3u;
-        }
+        for (const T x : state_of(copies, i)) hash = hashed(hash, x);
     dRobotModelDestroy(model);
     return hash;
 }

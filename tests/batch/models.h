@@ -43,6 +43,15 @@ inline const char* const kMixed = R"(<mujoco model="mixed"><compiler angle="radi
 <body name="tail" pos="-0.2 0 0"><joint name="t" axis="0 1 0" stiffness="2" damping="0.1"/><inertial pos="-0.1 0 0" mass="0.2" diaginertia="0.001 0.002 0.002"/></body></body>
 </worldbody><actuator><motor joint="rail" gear="3"/><position joint="u" kp="20"/><velocity joint="v" kv="0.4"/></actuator></mujoco>)";
 
+// FNV-1a over the bits of numbers.
+template <typename T>
+std::uint64_t hashed(std::uint64_t hash, T x)
+{
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &x, sizeof x);
+    return (hash ^ bits) * 0x100000001b3u;
+}
+
 inline dRobotModelID model_of(const char* text)
 {
     return dRobotModelLoadText("model.xml", text, std::strlen(text), nullptr);
@@ -52,14 +61,15 @@ inline dRobotModelID model_of(const char* text)
 template <typename T>
 class Copies {
   public:
-    Copies(dRobotModelID model, int copies, dReal h, dReal tolerance = 0, int threads = 1, int sweeps = 200)
+    Copies(dRobotModelID model, int copies, dReal h, dReal tolerance = 0, int threads = 1, int sweeps = 200,
+           dReal correction = 2)
         : copies_(copies)
     {
         dBatchOptions options;
         dBatchOptionsInit(&options, sizeof options);
         options.doubles = sizeof(T) == 8, options.threads = threads, options.stepsize = h,
         options.tolerance = tolerance;
-        options.max_sweeps = sweeps;
+        options.max_sweeps = sweeps, options.max_correction = correction;
         id = dBatchCreate(model, copies, &options);
     }
     ~Copies() { dBatchDestroy(id); }

@@ -44,14 +44,15 @@ TEST_F(BatchRefusals, name_the_element_that_a_batch_does_not_have)
         "<geom name='lid' type='box' size='.1 .1 .1'/></body></worldbody></mujoco>",
         "'lid'");
     expect_refused(
-        "<mujoco><worldbody><body><joint name='j'/><geom size='.1'/></body></worldbody><actuator>"
-        "<general name='slow' joint='j' dyntype='filter' dynprm='.1'/></actuator></mujoco>",
-        "'slow'");
+        "<mujoco><worldbody><site name='s'/><body><joint name='j'/><geom size='.1'/><site name='t' pos='1 0 "
+        "0'/></body></worldbody>"
+        "<tendon><spatial name='rope' stiffness='1'><site site='s'/><site "
+        "site='t'/></spatial></tendon></mujoco>",
+        "'rope'");
     expect_refused(
-        "<mujoco><worldbody><body><joint name='j'/><geom size='.1'/></body><body><joint name='k'/><geom "
-        "size='.1'/></body></worldbody>"
-        "<equality><joint name='both' joint1='j' joint2='k'/></equality></mujoco>",
-        "'both'");
+        "<mujoco><worldbody><body><joint name='j'/><geom size='.1'/></body></worldbody>"
+        "<tendon><fixed name='none'><joint joint='j' coef='0'/></fixed></tendon></mujoco>",
+        "'none'");
     expect_refused("<mujoco><worldbody><geom size='.1'/></worldbody></mujoco>", "nothing");
 }
 
