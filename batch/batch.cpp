@@ -4,6 +4,8 @@
 // See batch.h.
 #include "batch/batch.h"
 
+#include "batch/asker.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,7 +40,8 @@ class Batch : public AnyBatch {
     {
         for (int i = 0; i < crew_.size(); ++i) {
             work_.push_back(block_of(kernels_.work_size(view_)));
-            kernels_.make_work(view_, work_.back().get());
+            askers_.push_back(std::make_unique<PairAsker>(model_.asked));
+            kernels_.make_work(view_, askers_.back()->asker(), work_.back().get());
             observations_.push_back(block_of(std::size_t(observed_.rows) * std::size_t(lanes_) * sizeof(T)));
         }
         std::fill_n(static_cast<T*>(state_.get()), std::size_t(groups_) * group_numbers(), T(0));
@@ -326,7 +329,8 @@ class Batch : public AnyBatch {
     Block state_;
     std::vector<T> numbers_;
     std::vector<T> own_;  // rows of lanes, group by group; empty: all copies share numbers_
-    std::vector<Block> work_, observations_;  // of each worker
+    std::vector<Block> work_, observations_;          // of each thread
+    std::vector<std::unique_ptr<PairAsker>> askers_;  // of each thread
     std::array<T*, std::size_t(Quantity::kCount)> bound_{}, watched_{};
     Crew crew_;
 };

@@ -59,7 +59,7 @@ dBatchID create(dxRobotModel& model, int copies, const dBatchOptions& options)
     if (!model.prepared) model.prepared = std::make_shared<const Prepared>(model.model);
     epode::batch::BatchModel compiled;
     std::string refusal;
-    if (!epode::batch::compile(*model.prepared, compiled, refusal)) {
+    if (!epode::batch::compile(model.prepared, compiled, refusal)) {
         dMessage(d_ERR_UNKNOWN, "dBatchCreate: refused: %s", refusal.c_str());
         return nullptr;
     }

@@ -17,7 +17,7 @@ struct Kernels {
     // Bytes that a thread needs to step groups of the model, at a multiple of 64.
     std::size_t (*work_size)(const ModelView&);
     // Makes that memory ready, once.
-    void (*make_work)(const ModelView&, void* work);
+    void (*make_work)(const ModelView&, const Asker&, void* work);
     // numbers: of the model, shared; or, if they are the copies' own, rows of lanes.
     void (*step)(const ModelView&, const StepOptions&, const T* numbers, bool own, T* group, void* work);
     // Writes observations (observed.h) of a group, kOfState, kOfStep or both.

@@ -5,7 +5,7 @@
 // places count from O of a's tree. What the fields of shapes' sizes mean is in robots/model.h.
 #pragma once
 
-#include "batch/lanes/motion.h"
+#include "batch/lanes/asked.h"
 
 namespace epode::batch {
 namespace {
@@ -20,6 +20,7 @@ template <typename P, bool own>
 struct Points {
     const ModelView& model;
     Numbers<P, own> numbers;
+    const StepOptions& options;
     Work<P>& work;
 
     // All shapes, each once.
@@ -95,6 +96,8 @@ struct Points {
                 return two_capsules(a, b);
             case PointKind::kSphereBox:
                 return sphere_box(a, b);
+            case PointKind::kAsked:
+                return Asked<P>{model, options, work}.find(pair, a, b);
         }
     }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "batch/lanes/points.h"
+#include "batch/lanes/sharing.h"
 #include "batch/lanes/sums.h"
 
 namespace epode::batch {
@@ -41,7 +42,7 @@ struct Rows {
             if (dof.limit >= 0) limit(dof);
         }
         if (model.sums.size() > 0) Sums<P, own>{model, numbers, options, q, v, forces, work}.find();
-        Points<P, own>{model, numbers, work}.place();
+        Points<P, own>{model, numbers, options, work}.place();
         for (const BatchPair& pair : model.pairs) touch(pair);
     }
 
@@ -115,12 +116,18 @@ struct Rows {
 
     void touch(const BatchPair& pair) const
     {
-        Points<P, own>{model, numbers, work}.find(pair);
+        Points<P, own>{model, numbers, options, work}.find(pair);
+        const P* kept = forces + 3 * pair.first_slot;
+        P shared[Work<P>::kMostPoints];
+        const bool is_shared = pair.kind == PointKind::kAsked && pair.slots > 1;
+        if (is_shared) share_load(work, kept, pair.slots, shared);
         for (int k = 0; k < pair.slots; ++k) {
             P* impulse = work.impulses + 3 * (pair.first_slot + k);
             impulse[0] = impulse[1] = impulse[2] = P(0);
             const P near = nearness(pair, k);
-            if (any_positive(near)) contact(pair, k, near, impulse);
+            if (!any_positive(near)) continue;
+            const P normal = is_shared ? shared[k] : kept[3 * k];
+            contact(pair, k, near, {normal, kept[3 * k + 1], kept[3 * k + 2]}, impulse);
         }
     }
 
@@ -179,7 +186,7 @@ struct Rows {
         }
     }
 
-    void contact(const BatchPair& pair, int k, const P& near, P* impulse) const
+    void contact(const BatchPair& pair, int k, const P& near, const Vec3Of<P>& kept, P* impulse) const
     {
         const Support& support = model.supports[pair.support];
         const int width = support.count();
@@ -203,7 +210,7 @@ struct Rows {
         row.bias = law.bias, row.soft = law.soft;
         row.friction = if_positive(near, numbers[pair.first + pair_number::kFriction], P(0));
         find_block(row, width, near);
-        begin(row, forces + (impulse - work.impulses), width);
+        begin(row, kept, width);
     }
 
     EPODE_LANEWISE void find_block(ContactRow<P>& row, int width, const P& near) const
@@ -222,10 +229,12 @@ struct Rows {
         row.inverse = if_positive(near, inverse_or_zero(a * c - b * b), zero);
     }
 
-    EPODE_LANEWISE void begin(const ContactRow<P>& row, const P* kept, int width) const
+    EPODE_LANEWISE void begin(const ContactRow<P>& row, const Vec3Of<P>& kept, int width) const
     {
         const P h(T(options.h)), zero(0);
-        for (int k = 0; k < 3; ++k) row.impulse[k] = if_positive(row.d, h * kept[k], zero);
+        row.impulse[0] = if_positive(row.d, h * kept.x, zero);
+        row.impulse[1] = if_positive(row.d, h * kept.y, zero);
+        row.impulse[2] = if_positive(row.d, h * kept.z, zero);
         P* const* zs = work.support_z + row.support->first;
         for (int l = 0; l < width; ++l) {
             P& z = *zs[l];

@@ -140,6 +140,7 @@ struct Work {
     P *impulses, *last_impulses;
     P* gaps;  // of a pair's points
     Vec3Of<P>*points, *normals;
+    Asker asker;
     int contact_count, single_count, row_end;
     P worst, sweeps;  // residual at the end, sweeps taken
 

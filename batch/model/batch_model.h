@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "batch/model/asked_pairs.h"
 #include "robots/build.h"
 
 namespace epode::batch {
@@ -117,7 +118,8 @@ enum class PointKind {  // of a pair: the shape of link a, then that of link b
     kSphereSphere,
     kSphereCapsule,
     kCapsuleCapsule,
-    kSphereBox
+    kSphereBox,
+    kAsked  // of the library, copy by copy
 };
 int points_of(PointKind kind);
 
@@ -133,6 +135,7 @@ struct BatchPair {
     int slots = 0, first_slot = 0;
     int support = 0;          // of its rows, among all supports
     bool is_upright = false;  // a plane whose normal is z
+    int asked = -1;           // which of those
 };
 
 // The dofs that a contact between two links moves: those that both have, whose own effects cancel, then those of one and of the other.
@@ -153,6 +156,7 @@ struct BatchModel {
     std::vector<BatchPair> pairs;
     std::vector<Support> supports;
     std::vector<int> support_dofs;
+    AskedPairs asked;
     std::vector<BatchSum> sums;
     std::vector<SumTerm> sum_terms;
     std::vector<int> sum_dofs;
@@ -168,6 +172,6 @@ struct BatchModel {
 };
 
 // False: what a batch cannot take, as a sentence that names the element.
-bool compile(const robots::Prepared& prepared, BatchModel& out, std::string& refusal);
+bool compile(const std::shared_ptr<const robots::Prepared>& prepared, BatchModel& out, std::string& refusal);
 
 }  // namespace epode::batch

@@ -170,10 +170,12 @@ int points_of(PointKind kind)
     }
 }
 
-bool compile(const Prepared& prepared, BatchModel& out, std::string& refusal)
+bool compile(const std::shared_ptr<const Prepared>& shared, BatchModel& out, std::string& refusal)
 {
+    const Prepared& prepared = *shared;
     const RobotModel& model = prepared.model();
     out = BatchModel{};
+    out.asked.prepared = shared;
     refusal = refusal_of(model);
     if (refusal.empty() && !is_in_order(model))
         refusal = "the joints do not stand in the order of their links";
@@ -188,7 +190,8 @@ bool compile(const Prepared& prepared, BatchModel& out, std::string& refusal)
     out.reference = reference_positions(model);
     out.positions = model.coordinates, out.velocities = int(out.dofs.size()),
     out.controls = int(out.actuators.size());
-    return add_pairs(out, prepared, refusal);
+    add_pairs(out, prepared);
+    return true;
 }
 
 }  // namespace epode::batch

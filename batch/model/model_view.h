@@ -39,6 +39,7 @@ struct ModelView {
           pairs(items_of(model.pairs)),
           supports(items_of(model.supports)),
           support_dofs(items_of(model.support_dofs)),
+          asked(items_of(model.asked.pairs)),
           sums(items_of(model.sums)),
           sum_terms(items_of(model.sum_terms)),
           sum_dofs(items_of(model.sum_dofs)),
@@ -65,6 +66,7 @@ struct ModelView {
     Items<BatchPair> pairs;
     Items<Support> supports;
     Items<int> support_dofs;
+    Items<AskedPair> asked;
     Items<BatchSum> sums;
     Items<SumTerm> sum_terms;
     Items<int> sum_dofs;

@@ -21,7 +21,7 @@ struct Kind {
 };
 
 // The pairs that have closed forms.
-std::optional<Kind> kind_of(ShapeKind a, ShapeKind b)
+std::optional<Kind> closed_form(ShapeKind a, ShapeKind b)
 {
     static constexpr struct {
         ShapeKind a, b;
@@ -42,10 +42,10 @@ std::optional<Kind> kind_of(ShapeKind a, ShapeKind b)
     return {};
 }
 
-struct Touching {  // a shape of a model
+struct Touching {  // a shape of a model, or one hull of it
     int number = 0;
     const Shape* shape = nullptr;
-    int link = 0;
+    int link = 0, part = 0;
 };
 
 class Pairs {
@@ -55,25 +55,42 @@ class Pairs {
     {
         int number = 0;
         for (size_t i = 0; i < model_.links.size(); ++i)
-            for (const Shape& shape : model_.links[i].shapes) shapes_.push_back({number++, &shape, int(i)});
+            for (const Shape& shape : model_.links[i].shapes) {
+                for (int part = 0; part < parts_of(shape); ++part)
+                    shapes_.push_back({number, &shape, int(i), part});
+                ++number;
+            }
         for (const auto& pair : model_.excluded) exclude(pair[0], pair[1]);
         for (const auto& pair : prepared.overlapping()) exclude(pair[0], pair[1]);
     }
 
-    std::string make()
+    void make()
     {
         for (size_t i = 0; i < shapes_.size(); ++i)
             for (size_t k = i + 1; k < shapes_.size(); ++k) {
                 if (!may_touch(shapes_[i], shapes_[k])) continue;
-                const auto kind = kind_of(shapes_[i].shape->kind, shapes_[k].shape->kind);
-                if (!kind) return refusal(shapes_[i], shapes_[k]);
-                kind->is_swapped ? add(kind->kind, shapes_[k], shapes_[i])
-                                 : add(kind->kind, shapes_[i], shapes_[k]);
+                const Kind kind = kind_of(shapes_[i], shapes_[k]);
+                kind.is_swapped ? add(kind.kind, shapes_[k], shapes_[i])
+                                : add(kind.kind, shapes_[i], shapes_[k]);
             }
-        return {};
     }
 
   private:
+    // Plates and lines have no hulls, and touch nothing.
+    int parts_of(const Shape& shape) const
+    {
+        if (shape.kind == ShapeKind::kTriangles) return prepared_.triangles(shape.mesh) ? 1 : 0;
+        return shape.kind == ShapeKind::kHull ? int(prepared_.hulls(shape.mesh).size()) : 1;
+    }
+
+    static AskedShape asked(const Touching& its) { return {its.number, its.shape, its.part}; }
+
+    Kind kind_of(const Touching& a, const Touching& b) const
+    {
+        if (const auto known = closed_form(a.shape->kind, b.shape->kind)) return *known;
+        return {PointKind::kAsked, out_.asked.rank(asked(a)) > out_.asked.rank(asked(b))};
+    }
+
     void exclude(int one, int two) { excluded_.insert({std::min(one, two), std::max(one, two)}); }
     bool stands_still(int link) const { return out_.links[size_t(link)].last_dof < 0; }
 
@@ -103,21 +120,14 @@ class Pairs {
         return !excluded_.count({std::min(a.link, b.link), std::max(a.link, b.link)});
     }
 
-    std::string refusal(const Touching& a, const Touching& b) const
-    {
-        const auto its = [&](const Touching& t) {
-            return std::string(name_of(t.shape->kind)) + " '" + t.shape->name + "' of link '" +
-                   model_.links[size_t(t.link)].name + "'";
-        };
-        return its(a) + " and " + its(b) +
-               " may touch: a batch has no contacts between such shapes; exclude the pair";
-    }
-
     void add(PointKind kind, const Touching& a, const Touching& b)
     {
         BatchPair pair;
         pair.kind = kind, pair.shape_a = a.number, pair.shape_b = b.number;
-        pair.slots = points_of(kind), pair.first_slot = out_.slots, out_.slots += pair.slots;
+        const bool is_asked = kind == PointKind::kAsked;
+        if (is_asked) pair.asked = out_.asked.add(asked(a), asked(b));
+        pair.slots = is_asked ? asked_points(*a.shape, *b.shape) : points_of(kind);
+        pair.first_slot = out_.slots, out_.slots += pair.slots;
         pair.support = support_of(a.link, b.link);
         pair.is_upright = b.shape->kind == ShapeKind::kPlane && is_upright(b);
         const double one = a.shape->friction, two = b.shape->friction;
@@ -185,10 +195,6 @@ class Pairs {
 
 }  // namespace
 
-bool add_pairs(BatchModel& out, const Prepared& prepared, std::string& refusal)
-{
-    refusal = Pairs(out, prepared).make();
-    return refusal.empty();
-}
+void add_pairs(BatchModel& out, const Prepared& prepared) { Pairs(out, prepared).make(); }
 
 }  // namespace epode::batch

@@ -6,8 +6,7 @@
 
 namespace epode::batch {
 
-// All pairs of shapes that may touch, by the model's own filters, with their slots and supports. False: a pair that a batch has no
-// points for, as a sentence.
-bool add_pairs(BatchModel& out, const robots::Prepared& prepared, std::string& refusal);
+// All pairs of shapes that may touch, by the model's own filters, with their slots and supports.
+void add_pairs(BatchModel& out, const robots::Prepared& prepared);
 
 }  // namespace epode::batch

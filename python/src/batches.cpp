@@ -30,7 +30,7 @@ BoundBatch* make(Model& m, int copies, bool doubles, int threads, const nb::dict
     if (!m.prepared) m.prepared = std::make_shared<const Prepared>(m.model);
     epode::batch::BatchModel compiled;
     std::string refusal;
-    if (!epode::batch::compile(*m.prepared, compiled, refusal)) throw nb::value_error(refusal.c_str());
+    if (!epode::batch::compile(m.prepared, compiled, refusal)) throw nb::value_error(refusal.c_str());
     auto out = std::make_unique<BoundBatch>();
     const int all = std::max(1, int(std::thread::hardware_concurrency()));
     out->batch = epode::batch::make_batch(std::move(compiled), copies, doubles, threads > 0 ? threads : all);

@@ -39,11 +39,6 @@ TEST_F(BatchRefusals, name_the_element_that_a_batch_does_not_have)
         "size='.1'/></body></worldbody></mujoco>",
         "'fish'");
     expect_refused(
-        "<mujoco><worldbody><body name='k'><freejoint/><geom type='box' size='.1 .1 .1'/></body><body "
-        "name='l'><freejoint/>"
-        "<geom name='lid' type='box' size='.1 .1 .1'/></body></worldbody></mujoco>",
-        "'lid'");
-    expect_refused(
         "<mujoco><worldbody><site name='s'/><body><joint name='j'/><geom size='.1'/><site name='t' pos='1 0 "
         "0'/></body></worldbody>"
         "<tendon><spatial name='rope' stiffness='1'><site site='s'/><site "
