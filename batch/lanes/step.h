@@ -9,6 +9,7 @@
 #include "batch/lanes/group.h"
 #include "batch/lanes/integrate.h"
 #include "batch/lanes/mass.h"
+#include "batch/lanes/medium.h"
 #include "batch/lanes/rows.h"
 #include "batch/lanes/solve.h"
 
@@ -49,6 +50,7 @@ struct Step {
         P *q = rows_at<P>(group, at.q), *v = rows_at<P>(group, at.v), *forces = rows_at<P>(group, at.forces);
         const P h(T(options.h));
         Motion<P, own>{model, numbers, q, v, work}.find();
+        if (model.boxes.size() > 0) Medium<P, own>{model, numbers, h, work}.find();
         Drives<P, own>{model,
                        numbers,
                        q,

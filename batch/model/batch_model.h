@@ -53,6 +53,9 @@ enum : int { kGear, kGain, kBias, kBiasPosition, kBiasVelocity, kLow, kHigh, kFo
 namespace filter_number {
 enum : int { kTime, kLow, kHigh, kCount };
 }
+namespace box_number {  // from kInertias on three of each, of moving along the axes; then of turning
+enum : int { kPlace = 0, kTurn = 3, kInertias = 7, kQuadratic = 10, kLinear = 13, kSpin = 9, kCount = 25 };
+}
 namespace sum_number {
 enum : int { kLow, kHigh, kRest, kStiffness, kDamping, kForceLimit, kCount };
 }
@@ -94,6 +97,11 @@ struct BatchActuator {
     int filter = -1, filter_first = 0;  // which activation is its, and where the filter's numbers are
     robots::Activation::Kind kind = robots::Activation::Kind::kNone;
     bool is_early = false;  // what acts is the activation at the step's end
+};
+
+// What of a link a medium resists.
+struct BatchBox {
+    int link = 0, first = 0;
 };
 
 struct SumTerm {
@@ -157,6 +165,7 @@ struct BatchModel {
     std::vector<Support> supports;
     std::vector<int> support_dofs;
     AskedPairs asked;
+    std::vector<BatchBox> boxes;
     std::vector<BatchSum> sums;
     std::vector<SumTerm> sum_terms;
     std::vector<int> sum_dofs;
@@ -166,7 +175,7 @@ struct BatchModel {
         entries = 0;                                    // entries: of the mass matrix
     int limits = 0, dry = 0, servos = 0, sum_rows = 0;  // rows that they may make
     int filters = 0;                                    // activations
-    int gravity = 0;                                    // where its three numbers begin
+    int gravity = 0, wind = 0;                          // where their three numbers begin
     // Of all rows of constraints the impulses of the last step, three a slot of contact.
     int impulses() const { return 3 * slots + limits + dry + servos + sum_rows; }
 };

@@ -100,6 +100,35 @@ void add_joints_of(BatchModel& out, const Prepared& prepared, int number)
     }
 }
 
+// Coefficients of robots/fluid.h.
+void add_box(BatchModel& out, int link, const FluidBox& box, const Medium& medium)
+{
+    const Pose& at = box.pose;
+    const Vec r = box.half;
+    const double mean = (r.x + r.y + r.z) / 3, viscosity = kPi * medium.viscosity;
+    BatchBox its{link, add(out.numbers, {at.p.x, at.p.y, at.p.z, at.q.w, at.q.x, at.q.y, at.q.z})};
+    add(out.numbers, {box.mass, box.mass, box.mass});
+    for (int i = 0; i < 3; ++i) add(out.numbers, {2 * medium.density * r[(i + 1) % 3] * r[(i + 2) % 3]});
+    const double slow = 6 * viscosity * mean;
+    add(out.numbers, {slow, slow, slow, box.moments.x, box.moments.y, box.moments.z});
+    for (int i = 0; i < 3; ++i) {
+        const double j = r[(i + 1) % 3] * r[(i + 1) % 3], k = r[(i + 2) % 3] * r[(i + 2) % 3];
+        add(out.numbers, {medium.density * r[i] * (j * j + k * k) / 2});
+    }
+    const double spin = 8 * viscosity * mean * mean * mean;
+    add(out.numbers, {spin, spin, spin});
+    out.boxes.push_back(its);
+}
+
+void add_medium(BatchModel& out, const RobotModel& model)
+{
+    const Vec wind = model.medium.wind;
+    out.wind = add(out.numbers, {wind.x, wind.y, wind.z});
+    for (size_t i = 1; i < model.links.size(); ++i)
+        for (const FluidBox& box : model.links[i].boxes)
+            if (out.links[i].last_dof >= 0) add_box(out, int(i), box, model.medium);
+}
+
 // Joints are made link by link: the model's own order, or the batch would number them otherwise.
 bool is_in_order(const RobotModel& model)
 {
@@ -187,6 +216,7 @@ bool compile(const std::shared_ptr<const Prepared>& shared, BatchModel& out, std
     const std::vector<int> sums = add_sums(out, prepared);
     for (const Actuator& actuator : model.actuators) add_actuator(out, actuator, sums);
     add_shapes(out, model);
+    add_medium(out, model);
     out.reference = reference_positions(model);
     out.positions = model.coordinates, out.velocities = int(out.dofs.size()),
     out.controls = int(out.actuators.size());

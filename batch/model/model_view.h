@@ -40,6 +40,7 @@ struct ModelView {
           supports(items_of(model.supports)),
           support_dofs(items_of(model.support_dofs)),
           asked(items_of(model.asked.pairs)),
+          boxes(items_of(model.boxes)),
           sums(items_of(model.sums)),
           sum_terms(items_of(model.sum_terms)),
           sum_dofs(items_of(model.sum_dofs)),
@@ -53,6 +54,7 @@ struct ModelView {
           dry(model.dry),
           servos(model.servos),
           gravity(model.gravity),
+          wind(model.wind),
           sum_rows(model.sum_rows),
           filters(model.filters)
     {}
@@ -67,10 +69,11 @@ struct ModelView {
     Items<Support> supports;
     Items<int> support_dofs;
     Items<AskedPair> asked;
+    Items<BatchBox> boxes;
     Items<BatchSum> sums;
     Items<SumTerm> sum_terms;
     Items<int> sum_dofs;
-    int positions, velocities, controls, trees, slots, entries, limits, dry, servos, gravity, sum_rows,
+    int positions, velocities, controls, trees, slots, entries, limits, dry, servos, gravity, wind, sum_rows,
         filters;
 
     EPODE_ALWAYS int first_sum() const { return 3 * slots + limits + dry + servos; }

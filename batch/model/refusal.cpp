@@ -58,7 +58,6 @@ std::string refused_link(const Link& link, size_t number)
 {
     if (number > 0 && !link.joints.empty() && !(link.mass > 0))
         return named("link", link.name) + ": moves, but has no mass";
-    if (!link.boxes.empty()) return named("link", link.name) + ": a batch has no medium";
     return {};
 }
 

@@ -35,10 +35,6 @@ class BatchRefusals : public testing::Test {
 TEST_F(BatchRefusals, name_the_element_that_a_batch_does_not_have)
 {
     expect_refused(
-        "<mujoco><option density='1000'/><worldbody><body name='fish'><freejoint/><geom "
-        "size='.1'/></body></worldbody></mujoco>",
-        "'fish'");
-    expect_refused(
         "<mujoco><worldbody><site name='s'/><body><joint name='j'/><geom size='.1'/><site name='t' pos='1 0 "
         "0'/></body></worldbody>"
         "<tendon><spatial name='rope' stiffness='1'><site site='s'/><site "

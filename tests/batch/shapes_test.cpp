@@ -122,7 +122,7 @@ TEST_F(BatchShapes, push_as_in_worlds)
                 q[0] = dice.between(-0.1, 0.1), q[1] = dice.between(-0.1, 0.1),
                 q[2] = dice.between(0.04, 0.14);
                 const auto batch = step_of_batch(model, q, dReal(1e-4));
-                // A world's velocities are read where the body has turned to, and an origin beside the centre moves with that.
+                // A world's velocities are read where the body has turned to, and an origin away from the centre moves with that.
                 const double turn2 = batch[3] * batch[3] + batch[4] * batch[4] + batch[5] * batch[5],
                              bound = (is_landscape ? 1e-6 : 1e-9) + 1e-4 * 0.05 * turn2;
                 int best = 0;
@@ -253,7 +253,7 @@ TEST_F(BatchShapes, are_held_by_a_gripper)
 }
 
 template <typename T>
-std::uint64_t hash_of_heaps(int copies_at_once, int threads = 1)
+std::uint64_t hash_of_stacks(int copies_at_once, int threads = 1)
 {
     const std::string text = one_over_other(kUppers[3], "type='hfield' hfield='hills'", 1.2, "0.5");
     std::string more = text;
@@ -283,11 +283,11 @@ std::uint64_t hash_of_heaps(int copies_at_once, int threads = 1)
 TEST(BatchBits, of_asked_pairs_are_golden)
 {
     if (sizeof(dReal) == 4) GTEST_SKIP() << "step sizes and states pass through dReal";
-    const std::uint64_t doubles = hash_of_heaps<double>(6), floats = hash_of_heaps<float>(6);
+    const std::uint64_t doubles = hash_of_stacks<double>(6), floats = hash_of_stacks<float>(6);
     EXPECT_EQ(doubles, 2110222513127091931u);
     EXPECT_EQ(floats, 17185745804205497305u);
-    EXPECT_EQ(hash_of_heaps<double>(1), doubles);
-    EXPECT_EQ(hash_of_heaps<float>(3, 2), floats);
+    EXPECT_EQ(hash_of_stacks<double>(1), doubles);
+    EXPECT_EQ(hash_of_stacks<float>(3, 2), floats);
 }
 
 }  // namespace
