@@ -161,10 +161,10 @@ class Batch : public AnyBatch {
 
     int row_of(Quantity quantity) const
     {
-        const int rows[] = {layout_.q,           layout_.v,          layout_.control,    layout_.applied,
-                            layout_.forces,      layout_.bad,        layout_.residual,   layout_.sweeps,
-                            layout_.activations, observed_.position, observed_.turn,     observed_.velocity,
-                            observed_.inertia,   observed_.contact,  observed_.centre,   observed_.actuator,
+        const int rows[] = {layout_.q,           layout_.v,          layout_.control,  layout_.applied,
+                            layout_.forces,      layout_.bad,        layout_.residual, layout_.sweeps,
+                            layout_.activations, observed_.position, observed_.turn,   observed_.velocity,
+                            observed_.inertia,   observed_.contact,  observed_.centre, observed_.actuator,
                             observed_.constraint};
         return rows[int(quantity)];
     }
@@ -180,8 +180,8 @@ class Batch : public AnyBatch {
     void observe(int group, int worker, int what) const
     {
         T* its = static_cast<T*>(state_.get()) + std::size_t(group) * group_numbers();
-        kernels_.observe(view_, numbers_of(group), are_own(), its, work_[std::size_t(worker)].get(), what,
-                         observations(worker));
+        kernels_.observe(view_, options_, numbers_of(group), are_own(), its, work_[std::size_t(worker)].get(),
+                         what, observations(worker));
     }
 
     // Of copies of one group, which the worker has observed if need be.

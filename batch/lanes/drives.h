@@ -30,7 +30,10 @@ struct Drives {
             if (joint.kind == JointKind::kFree) turn_torque(joint);
         for (int i = 0; i < model.servos; ++i) servos[i] = {P(0), P(0), P(0)};
         for (int i = 0; i < model.sums.size(); ++i) measure(model.sums[i], work.sums[i]);
-        for (int i = 0; i < model.actuators.size(); ++i) actuate(model.actuators[i], control[i], servos);
+        for (int i = 0; i < model.actuators.size(); ++i) {
+            const BatchActuator& its = model.actuators[i];
+            actuate(its, input(its, control[i]), servos);
+        }
         for (int i = 0; i < model.dofs.size(); ++i)
             if (model.dofs[i].servo >= 0) settle(model.dofs[i], i, servos[model.dofs[i].servo]);
     }
@@ -56,13 +59,19 @@ struct Drives {
             work.torque[joint.dof + 3 + k] = work.torque[joint.dof + 3 + k] + (by[k] - its[k]);
     }
 
+    P length_of(const BatchSum& sum) const
+    {
+        P out(0);
+        for (int k = sum.first_term; k < sum.first_term + sum.terms; ++k)
+            out = out + numbers[model.sum_terms[k].factor] * q[model.sum_terms[k].position];
+        return out;
+    }
+
     // The sum's length, and what its own spring and damper ask for.
     void measure(const BatchSum& sum, SumWork<P>& its) const
     {
         const auto number = [&](int which) { return numbers[sum.first + which]; };
-        its.length = P(0);
-        for (int k = sum.first_term; k < sum.first_term + sum.terms; ++k)
-            its.length = its.length + numbers[model.sum_terms[k].factor] * q[model.sum_terms[k].position];
+        its.length = length_of(sum);
         const P k = number(sum_number::kStiffness);
         its.drive = {-k * (its.length - number(sum_number::kRest)), number(sum_number::kDamping) + h * k,
                      P(1)};
@@ -93,16 +102,21 @@ struct Drives {
             its.drive.gain = its.drive.gain + (d + h * k);
             return;
         }
+        spread(sum, gear * force, work.torque);
+    }
+
+    // The force along the sum, to its dofs.
+    void spread(const BatchSum& sum, const P& force, P* to) const
+    {
         for (int i = sum.first_term; i < sum.first_term + sum.terms; ++i) {
             const SumTerm& term = model.sum_terms[i];
-            work.torque[term.dof] = work.torque[term.dof] + numbers[term.factor] * (gear * force);
+            to[term.dof] = to[term.dof] + numbers[term.factor] * force;
         }
     }
 
-    void actuate(const BatchActuator& a, const P& control_of, ServoWork<P>* servos) const
+    void actuate(const BatchActuator& a, const P& u, ServoWork<P>* servos) const
     {
         const auto number = [&](int which) { return numbers[a.first + which]; };
-        const P u = input(a, control_of);
         if (a.sum >= 0) return pull(a, u);
         const Dof& dof = model.dofs[a.dof];
         const P gear = number(actuator_number::kGear);

@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // How the state of a group of copies lies in memory: rows of as many numbers as it has lanes, counted here;
-// `before` has the positions in which the last step began. Angular velocities of
-// floating bases are in the world's axes there; whoever reads them in the link's turns them.
+// `before` and `before_v` have the positions and velocities in which the last step began. Angular velocities of floating bases are in
+// the world's axes there; whoever reads them in the link's turns them.
 #pragma once
 
 #include "batch/model/model_view.h"
@@ -11,7 +11,7 @@
 namespace epode::batch {
 
 struct GroupLayout {
-    int q, v, control, applied, forces, before, bad, residual, sweeps, activations, rows;
+    int q, v, control, applied, forces, before, before_v, bad, residual, sweeps, activations, rows;
 
     template <typename Model>
     EPODE_ALWAYS explicit GroupLayout(const Model& model)
@@ -21,7 +21,8 @@ struct GroupLayout {
           applied(control + model.controls),
           forces(applied + model.velocities),
           before(forces + model.impulses()),
-          bad(before + model.positions),
+          before_v(before + model.positions),
+          bad(before_v + model.velocities),
           residual(bad + 1),
           sweeps(residual + 1),
           activations(sweeps + 1),

@@ -21,7 +21,8 @@ struct Kernels {
     // numbers: of the model, shared; or, if they are the copies' own, rows of lanes.
     void (*step)(const ModelView&, const StepOptions&, const T* numbers, bool own, T* group, void* work);
     // Writes observations (observed.h) of a group, kOfState, kOfStep or both.
-    void (*observe)(const ModelView&, const T* numbers, bool own, T* group, void* work, int what, T* rows);
+    void (*observe)(const ModelView&, const StepOptions&, const T* numbers, bool own, T* group, void* work,
+                    int what, T* rows);
 };
 
 // The best that this machine runs (EPODE_KERNELS may limit it).

@@ -4,8 +4,8 @@
 // What can be observed of a group: a function of its rows alone, so that it can be had at any time and costs nothing where nobody asks.
 // Of the state: where links are and how they move, their inertias about C, the centre of mass of their tree, all in the world's axes;
 // forces of actuators. Of the last step: forces of contacts on links, torques about C, and of all constraints along dofs,
-//     J' f = S . (forces on the subtree) + limits + dry friction,
-// with the poses in which that step began, for there they acted. Sums about O (work.h) become sums about C by
+//     J' f = S . (forces on the subtree) + limits + dry friction + couplings + limits of tendons,
+// with the poses and velocities in which that step began, for there they acted. Sums about O (work.h) become sums about C by
 //     v_C = v_O + w x c,     t_C = t_O - c x f,     J_C = J_O - m (x.x - x x') + m (d.d - d d'),    x = h / m,  d = x - c,  c = C - O.
 #pragma once
 
@@ -29,9 +29,10 @@ template <typename P, bool own>
 struct Observe {
     using T = typename P::Number;
     const ModelView& model;
+    const StepOptions& options;
     Numbers<P, own> numbers;
     Work<P>& work;
-    P *q, *v, *control, *applied, *forces, *before;  // rows of the group
+    P *q, *v, *control, *applied, *forces, *activations, *before, *before_v;  // rows of the group
     P* out;
 
     void find(int what) const
@@ -42,7 +43,7 @@ struct Observe {
             find_actuators();
         }
         if (what & kOfStep) {
-            Motion<P, own>{model, numbers, before, v, work}.find();
+            Motion<P, own>{model, numbers, before, before_v, work}.find();
             gather_subtrees(model, work);
             find_contacts();
             find_constraints();
@@ -124,14 +125,26 @@ struct Observe {
         put(to_row, inverse_or_zero(mass) * sum);
     }
 
-    // What they give in this state, held or clipped as in a step of no length.
+    Drives<P, own> drives(const P* positions, double h) const
+    {
+        return {model, numbers, positions, v, control, applied, activations, P(T(h)), work};
+    }
+    Sums<P, own> sums() const { return {model, numbers, options, q, v, forces, work}; }
+
+    // What they give in this state, held or clipped as in a step of no length; but early filters look as far ahead as a step does.
     void find_actuators() const
     {
-        const Drives<P, own> drives{model, numbers, q, v, control, applied, P(0), work};
+        const Drives<P, own> now = drives(q, 0), next = drives(q, options.h);
         for (int i = 0; i < model.velocities; ++i) work.torque[i] = work.added[i] = P(0);
         for (int i = 0; i < model.servos; ++i) work.servos[i] = {P(0), P(0), P(0)};
-        for (int i = 0; i < model.actuators.size(); ++i)
-            drives.actuate(model.actuators[i], control[i], work.servos);
+        for (int i = 0; i < model.sums.size(); ++i)
+            work.sums[i] = {now.length_of(model.sums[i]), {P(0), P(0), P(0)}};
+        for (int i = 0; i < model.actuators.size(); ++i) {
+            const BatchActuator& its = model.actuators[i];
+            now.actuate(its, next.input(its, control[i]), work.servos);
+        }
+        for (int i = 0; i < model.sums.size(); ++i)
+            if (model.sums[i].drive >= 0) now.spread(model.sums[i], pull_of(i), work.torque);
         for (int i = 0; i < model.velocities; ++i) {
             const Dof& dof = model.dofs[i];
             P force = work.torque[i];
@@ -144,12 +157,24 @@ struct Observe {
         }
     }
 
+    // Of the servos on a sum, whose limit a step holds together with the sum's own spring and damper.
+    P pull_of(int i) const
+    {
+        const BatchSum& sum = model.sums[i];
+        const P rate = sums().rate(sum), servos = work.sums[i].drive.force - work.sums[i].drive.gain * rate;
+        SumWork<P> passive;
+        drives(q, 0).measure(sum, passive);
+        const P all = servos + (passive.drive.force - passive.drive.gain * rate),
+                most = numbers[sum.first + sum_number::kForceLimit];
+        return servos + (clip(all, -most, most) - all);
+    }
+
     void find_contacts() const
     {
         const P zero(0);
         for (int i = 0; i < model.links.size(); ++i)
             work.link[i].force = {{zero, zero, zero}, {zero, zero, zero}};
-        Points<P, own>{model, numbers, work}.place();
+        points().place();
         for (const BatchPair& pair : model.pairs) touch(pair);
         P* rows = out + to().contact;
         for (int i = 0; i < model.links.size(); ++i) {
@@ -159,17 +184,18 @@ struct Observe {
         }
     }
 
+    Points<P, own> points() const { return {model, numbers, options, work}; }
+
     void touch(const BatchPair& pair) const
     {
         const P* f = forces + 3 * pair.first_slot;
         P any(0);
         for (int k = 0; k < pair.slots; ++k) any = any + f[3 * k];
         if (!any_positive(any)) return;
-        const Points<P, own> points{model, numbers, work};
-        points.find(pair);
+        points().find(pair);
         const int a = model.shapes[pair.shape_a].link, b = model.shapes[pair.shape_b].link;
         const Vec3Of<P> apart =
-            work.origin[points.tree_of(pair.shape_b)] - work.origin[points.tree_of(pair.shape_a)];
+            work.origin[points().tree_of(pair.shape_b)] - work.origin[points().tree_of(pair.shape_a)];
         for (int k = 0; k < pair.slots; ++k, f += 3) {
             const Vec3Of<P> force = force_of(pair, work.normals[k], f);
             press(a, work.points[k], force);
@@ -201,11 +227,20 @@ struct Observe {
         P* rows = out + to().constraint;
         for (int i = 0; i < model.velocities; ++i)
             rows[i] = dot(work.s[i], work.link[model.dofs[i].link].force) + single(i);
+        for (const BatchSum& sum : model.sums)
+            if (sum.stop >= 0) drives(before, 0).spread(sum, stop_of(sum), rows);
         for (const BatchJoint& joint : model.joints)
             if (joint.kind == JointKind::kFree) {
                 P* t = rows + joint.dof + 3;
                 put(t, transposed_times(work.link[joint.link].r, Vec3Of<P>{t[0], t[1], t[2]}));
             }
+    }
+
+    // Of a coupling, or of a tendon's limit.
+    P stop_of(const BatchSum& sum) const
+    {
+        const P force = forces[model.first_sum() + sum.stop];
+        return sum.is_equality ? force : sums().nearer_end(sum, drives(before, 0).length_of(sum)) * force;
     }
 
     P single(int i) const

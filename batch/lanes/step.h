@@ -84,9 +84,11 @@ struct Step {
 
     void finish(T* group, const GroupLayout& at, P* q, P* v, P* forces, const P& h) const
     {
-        P &bad = *rows_at<P>(group, at.bad), *before = rows_at<P>(group, at.before);
+        P &bad = *rows_at<P>(group, at.bad), *before = rows_at<P>(group, at.before),
+          *before_v = rows_at<P>(group, at.before_v);
         const P good = goodness(bad), zero(0), rate(T(1 / options.h));
         for (int i = 0; i < model.positions; ++i) before[i] = q[i];
+        for (int i = 0; i < model.velocities; ++i) before_v[i] = v[i];
         integrate(model, work.v, h, q);
         // Plus zero: a zero has one sign, whatever the neighbours' rows were.
         for (int i = 0; i < model.velocities; ++i) v[i] = if_positive(good, work.v[i] + zero, v[i]);

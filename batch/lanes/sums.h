@@ -78,7 +78,7 @@ struct Sums {
             return singles().begin(row, at);
         }
         const P below = length - low, above = numbers[sum.first + sum_number::kHigh] - length;
-        const P sign = if_greater(below, above, -one, one), gap = at_most(below, above);
+        const P sign = nearer_end(sum, length), gap = at_most(below, above);
         const P reach = P(T(kNearStop)) + P(T(2 * options.h)) * magnitude(rate(sum));
         const P near = if_greater(reach, gap, one, zero);
         work.impulses[at] = zero;
@@ -86,6 +86,14 @@ struct Sums {
         SingleRow<P>& row = singles().add(along(sum), at, sign, near, law_of(gap, zero, zero, options));
         row.low = zero, row.high = if_positive(near, far, zero);
         singles().begin(row, at);
+    }
+
+    // -1: the upper one, whose limit pushes back.
+    P nearer_end(const BatchSum& sum, const P& length) const
+    {
+        const P below = length - numbers[sum.first + sum_number::kLow],
+                above = numbers[sum.first + sum_number::kHigh] - length;
+        return if_greater(below, above, P(-1), P(1));
     }
 
     P rate(const BatchSum& sum) const

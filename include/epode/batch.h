@@ -68,9 +68,9 @@ typedef enum {
     dBatchLinkInertias, /**< about C, in the world's axes: xx yy zz xy xz yz, mass times the place of the centre from C, mass;
                                 MuJoCo's cinert */
     dBatchLinkForces, /**< of the last step's contacts, on links: torque about C, force; MuJoCo's cfrc_ext. Nothing on the world */
-    dBatchCentreOfMass,            /**< of all links */
-    dBatchActuatorForces,          /**< along the velocities, in this state under these controls */
-    dBatchVelocityConstraintForces /**< along the velocities, of the last step's contacts, limits and dry friction */
+    dBatchCentreOfMass,   /**< of all links */
+    dBatchActuatorForces, /**< along the velocities, in this state under these controls */
+    dBatchVelocityConstraintForces /**< along the velocities, of the last step's contacts, limits, dry friction, couplings */
 } dBatchQuantity;
 
 /** Create a batch of `count` copies of the model, at the reference position and at rest. options may be NULL. The model may be

@@ -80,6 +80,81 @@ TEST(BatchObservations, bound_ones_follow_steps_and_resets_and_leave_the_bits)
     dRobotModelDestroy(model);
 }
 
+// A cube that falls askew onto what lies below it: pairs whose points the library finds.
+std::string cube_over(const char* lower)
+{
+    return std::string(
+               "<mujoco><asset><mesh name='slab' vertex='-1 -1 -.1 1 -1 -.1 -1 1 -.1 1 1 -.1 -1 -1 .1 1 -1 "
+               ".1 -1 1 .1 1 1 .1'/>"
+               "<hfield name='hills' nrow='3' ncol='3' size='2 2 .2 .5' elevation='0 .2 0 .2 1 .2 0 .2 "
+               "0'/></asset>"
+               "<worldbody><geom pos='0 0 -.1' ") +
+           lower +
+           "/><body pos='0 0 .5'><freejoint/><geom type='box' size='.1 .1 .1' "
+           "mass='1'/></body></worldbody></mujoco>";
+}
+
+struct Moving {
+    double v[3], w[3];  // in the world's axes
+};
+
+Moving moving(const Copies<double>& copies)
+{
+    const auto its = copies.read(dBatchLinkVelocities);
+    Moving out;
+    std::copy_n(&its[6], 3, out.w), std::copy_n(&its[9], 3, out.v);
+    return out;
+}
+
+TEST(BatchObservations, forces_of_asked_pairs_are_what_changed_the_velocities)
+{
+    dInitODE2(0);
+    for (const char* lower :
+         {"type='box' size='1 1 .1'", "type='mesh' mesh='slab'", "type='hfield' hfield='hills'"}) {
+        const dRobotModelID model = model_of(cube_over(lower).c_str());
+        const double h = 0.004, inertia = 0.04 / 6;
+        Copies<double> copies(model, 1, h, 1e-12, 1, 5000);
+        copies.write(dBatchPositions, {0, 0, 0.5, 0.9, 0.3, 0.2, 0.1});
+        copies.write(dBatchVelocities, {0.3, 0.1, -3, 1, 2, -1});
+        int touching = 0;
+        for (int i = 0; i < 400; ++i) {
+            const Moving was = moving(copies);
+            dBatchStep(copies.id, 1);
+            const Moving now = moving(copies);
+            const auto forces = copies.read(dBatchLinkForces);
+            const double bound = 1e-9 * (1 + std::fabs(forces[11]));
+            for (int k = 0; k < 3; ++k) {
+                ASSERT_NEAR(forces[size_t(9 + k)], (now.v[k] - was.v[k]) / h + (k == 2 ? 9.81 : 0), bound)
+                    << lower << i;
+                ASSERT_NEAR(forces[size_t(6 + k)], inertia * (now.w[k] - was.w[k]) / h, bound) << lower << i;
+            }
+            touching += forces[11] != 0;
+        }
+        EXPECT_GT(touching, 100) << lower;
+        EXPECT_LT(touching, 400) << lower;
+        dRobotModelDestroy(model);
+    }
+    dCloseODE();
+}
+
+// They are the last step's, whatever is written afterwards: where it was near depends on how fast that step began.
+TEST(BatchObservations, of_a_step_stay_when_velocities_are_written)
+{
+    dInitODE2(0);
+    const dRobotModelID model = model_of(cube_over("type='box' size='1 1 .1'").c_str());
+    Copies<double> copies(model, 1, 0.004, 1e-12, 1, 5000);
+    copies.write(dBatchPositions, {0, 0, 0.115, 1, 0, 0, 0});
+    copies.write(dBatchVelocities, {0, 0, -5, 0, 0, 0});
+    dBatchStep(copies.id, 1);
+    const auto forces = copies.read(dBatchLinkForces), along = copies.read(dBatchVelocityConstraintForces);
+    EXPECT_NEAR(forces[11], (5 - 0.015 / 0.004) / 0.004 + 9.81, 1e-6);
+    copies.write(dBatchVelocities, std::vector<double>(6, 0));
+    EXPECT_EQ(copies.read(dBatchLinkForces), forces);
+    EXPECT_EQ(copies.read(dBatchVelocityConstraintForces), along);
+    dRobotModelDestroy(model);
+    dCloseODE();
+}
+
 TEST(BatchObservations, cannot_be_written)
 {
     dRobotModelID model = model_of(kWalker);

@@ -6,6 +6,8 @@
 
 #include <ode/ext.h>
 
+#include <algorithm>
+
 namespace epode::tests {
 namespace {
 
@@ -127,6 +129,75 @@ TEST_F(BatchSums, couplings_hold_and_limits_stop)
         }
     }
     EXPECT_EQ(dBatchCountBad(copies.id), 0);
+}
+
+std::string without(std::string text, const std::string& from, const std::string& to)
+{
+    const size_t first = text.find(from), end = text.find(to, first) + to.size();
+    return text.replace(first, end - first, "");
+}
+
+// Velocities after one step of a model without them, under applied forces in their place.
+std::vector<double> step_without(const std::string& text, const State& state,
+                                 const std::vector<double>& applied, dReal h)
+{
+    const dRobotModelID bare = model_of(text.c_str());
+    Copies<double> copies(bare, 1, h, dReal(1e-12), 1, 20000);
+    copies.write(dBatchPositions, state.q), copies.write(dBatchVelocities, state.v),
+        copies.write(dBatchApplied, applied);
+    if (copies.size(dBatchControls) > 0)
+        copies.write(dBatchControls, state.control), copies.write(dBatchActivations, state.act);
+    dBatchStep(copies.id, 1);
+    dRobotModelDestroy(bare);
+    return copies.read(dBatchVelocities);
+}
+
+// Short steps: what depends on velocities acts at a step's end.
+TEST_F(BatchSums, actuators_give_what_is_observed)
+{
+    const dReal h = dReal(1e-7);
+    const std::string bare = without(kGripper, "<actuator>", "</actuator>");
+    Dice dice(12);
+    int held = 0;
+    for (int i = 0; i < 60; ++i) {
+        const State state = any_state(dice, i % 2 ? 4 : 0.1);
+        Copies<double> copies(model, 1, h, dReal(1e-12), 1, 20000);
+        put(copies, 0, state);
+        const auto forces = copies.read(dBatchActuatorForces);
+        dBatchStep(copies.id, 1);
+        const auto v = copies.read(dBatchVelocities), want = step_without(bare, state, forces, h);
+        double most = 0;
+        for (const double force : forces) most = std::max(most, std::fabs(force));
+        for (size_t k = 0; k < kMoves; ++k)
+            EXPECT_NEAR((v[k] - want[k]) / h, 0, 1e-3 * (1 + most)) << i << ' ' << k;
+        const double length = 0.5 * state.q[2] + 0.3 * state.q[0] - 0.2 * state.q[4];
+        held += std::fabs(200 * (state.control[0] - length)) > 60;
+    }
+    EXPECT_GT(held, 20);
+}
+
+TEST_F(BatchSums, rows_give_what_is_observed)
+{
+    const dReal h = dReal(0.002);
+    const std::string bare =
+        without(without(kGripper, "<equality>", "</equality>"), " range=", "limited=\"true\"");
+    Dice dice(13);
+    int stopped = 0;
+    for (int i = 0; i < 60; ++i) {
+        State state = any_state(dice, 2);
+        if (i % 3 != 0) state.q[0] += i % 3 == 1 ? 1.2 : -1.2;
+        Copies<double> copies(model, 1, h, dReal(1e-12), 1, 20000);
+        put(copies, 0, state);
+        dBatchStep(copies.id, 1);
+        const auto v = copies.read(dBatchVelocities), forces = copies.read(dBatchVelocityConstraintForces),
+                   want = step_without(bare, state, forces, h);
+        for (size_t k = 0; k < kMoves; ++k) EXPECT_NEAR(v[k], want[k], 1e-9) << i << ' ' << k;
+        EXPECT_NE(forces[2], 0);
+        EXPECT_EQ(forces[1], 0);
+        stopped += forces[0] != 0;
+    }
+    EXPECT_GT(stopped, 10);
+    EXPECT_LT(stopped, 60);
 }
 
 TEST(BatchFilters, approach_as_their_closed_forms_do)
