@@ -18,6 +18,17 @@ damping="0.5" armature="0.01"/><geom type="capsule" fromto="0 0 0 0 0.02 -0.4" s
 <body name="post" pos="3 0 1"><body name="bell" pos="0 0 0.2"><joint name="swing" type="ball"/><geom pos="0.1 0 -0.3" size="0.1"
 mass="2"/></body></body></worldbody><actuator><motor joint="hip" gear="20" ctrlrange="-1 1"/><position joint="ankle" kp="30"
 forcerange="-4 4"/></actuator></mujoco>"""
+# Tendons with servos, a spring, a damper and a motor; filters of each kind, one early; a coupling.
+PULLED = """<mujoco><compiler angle="radian"/><option timestep="0.002"/><worldbody><body><joint name="lift" axis="0 1 0"/><geom size="0.1" mass="1"/>
+<body pos="0.4 0 0"><joint name="turn" axis="1 0 0"/><geom size="0.1" mass="0.4"/><body pos="0.1 0 0"><joint name="open" type="slide" axis="0 1 0"/>
+<geom size="0.1" mass="0.2"/></body></body></body><body pos="0 3 1"><joint name="spin" axis="0 1 0"/><geom pos="0.1 0 0" size="0.1" mass="1"/></body>
+</worldbody><equality><joint joint1="open" joint2="spin"/></equality><tendon><fixed name="pull" stiffness="40" damping="0.5"><joint joint="open" coef="0.5"/>
+<joint joint="lift" coef="0.3"/></fixed><fixed name="push"><joint joint="turn" coef="1.5"/><joint joint="spin" coef="-0.5"/></fixed></tendon><actuator>
+<position name="grip" tendon="pull" kp="20" kv="3" gear="0.8"/><motor tendon="pull" gear="2" ctrlrange="-1 1"/>
+<position tendon="push" kp="30" forcerange="-4 4"/>
+<general joint="lift" dyntype="filter" dynprm="0.03" gainprm="3" gear="2" actrange="-0.6 0.6" actlimited="true"/>
+<general joint="turn" dyntype="filterexact" dynprm="0.02" gainprm="0.5" actearly="true"/>
+<general joint="spin" dyntype="integrator" gainprm="2" biastype="affine" biasprm="0.1 -5 -0.2"/></actuator></mujoco>"""
 OF_STATE = ("xpos", "xquat", "cvel", "cinert", "qfrc_actuator")
 
 
@@ -46,6 +57,22 @@ def test_of_the_state_as_mujoco_has_it():
         for name in OF_STATE:
             assert abs(ours[name][i] - getattr(data, name).ravel()).max() < 1e-9, name
         assert abs(ours["com"][i] - data.subtree_com[0]).max() < 1e-9
+
+
+def test_actuators_on_tendons_and_behind_filters_give_what_mujocos_do():
+    model, rng = mujoco.MjModel.from_xml_string(PULLED), np.random.default_rng(5)
+    data, batch = mujoco.MjData(model), epode.Batch(epode.robot.from_text(PULLED), 64, dtype="float64", stepsize=0.002)
+    for name in ("qpos", "qvel", "ctrl", "act"):
+        batch.write(name, rng.uniform(-1, 1, (64, batch.size(name))))
+    ours = batch.read("qfrc_actuator")
+    held = 0
+    for i in range(64):
+        for name in ("qpos", "qvel", "ctrl", "act"):
+            getattr(data, name)[:] = batch.read(name)[i]
+        mujoco.mj_forward(model, data)
+        held += abs(data.actuator_force[2]) == 4
+        assert abs(ours[i] - data.qfrc_actuator).max() < 1e-12 * (1 + abs(data.qfrc_actuator).max())
+    assert held > 5
 
 
 def test_bound_ones_are_those_that_are_read():

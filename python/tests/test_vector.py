@@ -13,7 +13,8 @@ gymnasium = pytest.importorskip("gymnasium")
 from gymnasium.utils.env_checker import check_env  # noqa: E402
 from gymnasium.vector import AutoresetMode, SyncVectorEnv  # noqa: E402
 
-NAMES = ["Ant", "HalfCheetah", "Humanoid", "Hopper", "Walker2d", "Reacher", "InvertedPendulum", "InvertedDoublePendulum", "CartPole"]
+NAMES = ["Ant", "HalfCheetah", "Humanoid", "Hopper", "Walker2d", "Swimmer", "Reacher", "Pusher", "InvertedPendulum",
+         "InvertedDoublePendulum", "CartPole"]
 SEEN = ("qpos", "qvel", "xpos", "cinert", "cvel", "qfrc_actuator", "cfrc_ext", "com", "qfrc_constraint", "xquat")
 
 
@@ -67,10 +68,20 @@ def walker2d(was, s, action, dt):
     return planar(was, s, action, dt, 0.8 < s["qpos"][1] < 2.0 and abs(s["qpos"][2]) < 1.0)
 
 
+def swimmer(was, s, action, dt):
+    return np.concatenate([s["qpos"][2:], s["qvel"]]), (s["qpos"][0] - was["qpos"][0]) / dt - 1e-4 * np.sum(action**2), False
+
+
 def reacher(was, s, action, dt):
     apart = s["xpos"].reshape(-1, 3)[3] - s["xpos"].reshape(-1, 3)[4]
     observation = np.concatenate([np.cos(s["qpos"][:2]), np.sin(s["qpos"][:2]), s["qpos"][2:], s["qvel"][:2], apart[:2]])
     return observation, -np.linalg.norm(apart) - np.sum(action**2), False
+
+
+def pusher(was, s, action, dt):
+    tip, object_, goal = s["xpos"].reshape(-1, 3)[-3:]
+    reward = -np.linalg.norm(object_ - goal) - 0.5 * np.linalg.norm(object_ - tip) - 0.1 * np.sum(action**2)
+    return np.concatenate([s["qpos"][:7], s["qvel"][:7], tip, object_, goal]), reward, False
 
 
 def inverted_pendulum(was, s, action, dt):
@@ -93,7 +104,7 @@ def cart_pole(was, s, action, dt):
     return np.array([s["qpos"][0], s["qvel"][0], s["qpos"][1], s["qvel"][1]]), 1.0, fallen
 
 
-FORMULAS = [ant, half_cheetah, humanoid, hopper, walker2d, reacher, inverted_pendulum, inverted_double_pendulum, cart_pole]
+FORMULAS = [ant, half_cheetah, humanoid, hopper, walker2d, swimmer, reacher, pusher, inverted_pendulum, inverted_double_pendulum, cart_pole]
 
 
 @pytest.mark.parametrize(("name", "formula"), list(zip(NAMES, FORMULAS, strict=True)))
@@ -253,7 +264,7 @@ def test_starts_and_noise_are_distributed_as_said():
     assert np.linalg.norm(targets, axis=1).max() < 0.2 and abs((np.linalg.norm(targets, axis=1) ** 2).mean() - 0.02) < 0.001
 
 
-def test_what_is_wrong_raises_and_changes_nothing():
+def test_what_is_wrong_raises_and_changes_nothing(tmp_path):
     env = vector("Ant", 4)
     good = np.zeros((4, 8), np.float32)
     with pytest.raises(RuntimeError):
@@ -292,8 +303,11 @@ def test_what_is_wrong_raises_and_changes_nothing():
         vector("Ant", 1, speed=3)
     with pytest.raises(ValueError, match="HalfCheetah"):
         vector("Cat")
-    with pytest.raises(epode.RefusedError, match="medium"):
-        vector("Swimmer")
+    file = tmp_path / "ring.xml"
+    file.write_text("""<mujoco><option timestep="0.01"/><worldbody><body name="a"><joint/><geom size=".1"/></body><body name="b"><joint/><geom size=".1"/></body>
+</worldbody><equality><connect name="ring" body1="a" body2="b" anchor="0 0 .5"/></equality></mujoco>""")
+    with pytest.raises(epode.RefusedError, match="ring"):
+        vector("Swimmer", xml_file=str(file))
 
 
 @pytest.mark.parametrize("mode", ["NextStep", "SameStep"])

@@ -144,7 +144,7 @@ std::vector<double> step_without(const std::string& text, const State& state,
     const dRobotModelID bare = model_of(text.c_str());
     Copies<double> copies(bare, 1, h, dReal(1e-12), 1, 20000);
     copies.write(dBatchPositions, state.q), copies.write(dBatchVelocities, state.v),
-        copies.write(dBatchApplied, applied);
+        copies.write(dBatchAppliedForces, applied);
     if (copies.size(dBatchControls) > 0)
         copies.write(dBatchControls, state.control), copies.write(dBatchActivations, state.act);
     dBatchStep(copies.id, 1);
@@ -166,10 +166,10 @@ TEST_F(BatchSums, actuators_give_what_is_observed)
         const auto forces = copies.read(dBatchActuatorForces);
         dBatchStep(copies.id, 1);
         const auto v = copies.read(dBatchVelocities), want = step_without(bare, state, forces, h);
-        double most = 0;
-        for (const double force : forces) most = std::max(most, std::fabs(force));
+        double largest = 0;
+        for (const double force : forces) largest = std::max(largest, std::fabs(force));
         for (size_t k = 0; k < kMoves; ++k)
-            EXPECT_NEAR((v[k] - want[k]) / h, 0, 1e-3 * (1 + most)) << i << ' ' << k;
+            EXPECT_NEAR((v[k] - want[k]) / h, 0, 1e-3 * (1 + largest)) << i << ' ' << k;
         const double length = 0.5 * state.q[2] + 0.3 * state.q[0] - 0.2 * state.q[4];
         held += std::fabs(200 * (state.control[0] - length)) > 60;
     }
