@@ -21,11 +21,13 @@ constexpr const char* kWatched =
 <actuator><motor name="drive" joint="knee" ctrlrange="-1 1"/><general tendon="string" dyntype="filter" dynprm="0.1" gainprm="10"/></actuator>
 <sensor><accelerometer site="eye"/><gyro site="eye"/><force site="eye"/><touch site="eye"/><rangefinder site="eye"/>
 <framepos objtype="site" objname="eye"/><ballquat joint="turn"/><jointpos joint="knee"/><magnetometer site="eye"/></sensor></mujoco>)";
-// What a batch can take.
+// Some of all that a batch can take.
 constexpr const char* kSwung =
-    R"(<mujoco><worldbody><geom type="plane" size="5 5 1"/><body pos="0 0 1"><freejoint/><geom size="0.1" mass="1"/>
+    R"(<mujoco><option density="1"/><worldbody><geom type="plane" size="5 5 1"/><body pos="0 0 1"><freejoint/><geom size="0.1" mass="1"/>
 <body pos="0 0 -0.2"><joint name="a" range="-60 60" frictionloss="0.1"/><geom type="capsule" size="0.05 0.2" mass="1"/></body></body>
-</worldbody><actuator><position joint="a" kp="10" forcerange="-1 1"/></actuator></mujoco>)";
+<body pos="1 0 0.2"><freejoint/><geom type="box" size="0.1 0.1 0.1" mass="1"/></body></worldbody>
+<tendon><fixed name="t" limited="true" range="-1 1"><joint joint="a" coef="2"/></fixed></tendon>
+<actuator><position joint="a" kp="10" forcerange="-1 1"/><general tendon="t" dyntype="filter" dynprm="0.1" gainprm="2"/></actuator></mujoco>)";
 constexpr const char* kFaulty = "<robot name='r'><link name='a'/><link name='a'/></robot>";
 
 Messages g_messages;
