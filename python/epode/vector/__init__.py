@@ -23,7 +23,7 @@ from .tasks import TASKS as _TASKS
 
 __all__ = ["Piece", "Range", "Scalar", "Start", "Task", "Term", "VectorEnvironment", "make"]
 
-for _name, (_, _, _limit) in _TASKS.items():
+for _name, _described in _TASKS.items():
     if f"Epode/{_name}-v0" not in _gymnasium.registry:
         _gymnasium.register(f"Epode/{_name}-v0", entry_point="epode.vector:Scalar", vector_entry_point="epode.vector:make",
-                            max_episode_steps=_limit, kwargs={"task": _name})
+                            max_episode_steps=_described[2], kwargs={"task": _name})
