@@ -105,7 +105,7 @@ Vec3 kicked_spin(Body& body, Vec3 torque, Vec3 w, Real h)
 {
     const Vec3 before = body.spin_excess;
     body.spin_excess = {};
-    if (body.kinematic()) return w;
+    if (body.kinematic() || (w == Vec3{} && torque == Vec3{} && before == Vec3{})) return w;
     const Mat3 R = body.rotation();
     if (!body.gyroscopic || isotropic(body.inertia))
         return w + h * (R * (body.inv_inertia * transposed_times(R, torque)));

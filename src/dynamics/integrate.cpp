@@ -27,6 +27,7 @@ Quat turn_infinitesimally(Quat q, Vec3 w, Real h)
 
 Quat turn_exactly(Quat q, Vec3 w, Real h)
 {
+    if (w == Vec3{}) return q;
     const Real angle = length(w) * h * Real(0.5);
     const Vec3 v = (h * Real(0.5) * sinc(angle)) * w;
     return Quat{epode::cos(angle), v.x, v.y, v.z} * q;
