@@ -134,7 +134,8 @@ int capture(const CaptureOptions& options)
     if (!can_write(options.output, problem)) return complain(options.output, problem);
     std::string library = find_library();
     if (library.empty()) return refuse(fmt::format("there is no {} next to this program", kLibrary));
-    if (const char* before = secure_getenv("LD_PRELOAD"); before && *before) library.append(":").append(before);
+    if (const char* before = secure_getenv("LD_PRELOAD"); before && *before)
+        library.append(":").append(before);
     const std::string output = fs::absolute(options.output).string();
     setenv("LD_PRELOAD", library.c_str(), 1);
     setenv("EPODE_RECORD", output.c_str(), 1);

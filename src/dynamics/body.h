@@ -115,7 +115,8 @@ struct Body : Numbered {
     int sample_next = 0;
     bool samples_ready = false;
     Stillness short_window, long_window;  // dynamics/sleep/sleep
-    Real settling_time = 0;  // that its island has been settling without falling asleep (dynamics/sleep/settle)
+    Real settling_time =
+        0;  // that its island has been settling without falling asleep (dynamics/sleep/settle)
     std::uint64_t mass_hash = 0;  // tells `mass` from others
     std::uint64_t put_down = 0;   // when the program has disabled it: a number as of disturbances
     ForcedLink forced;
