@@ -51,7 +51,10 @@ TEST(WorldFiles, have_no_height_field_that_is_gone)
     const dHeightfieldDataID field = dGeomHeightfieldDataCreate();
     dGeomHeightfieldDataBuildByte(field, heights, 1, 1, 1, 2, 2, 1, 0, 1, 0);
     const dSpaceID space = dSimpleSpaceCreate(nullptr);
-    const dGeomID geom = dCreateHeightfield(space, field, 1);
+    const dGeomID geom = dCreateHeightfield(space, field, 1), held = dCreateHeightfield(nullptr, field, 1);
+    const dGeomID transform = dCreateGeomTransform(space);
+    dGeomTransformSetCleanup(transform, 1);
+    dGeomTransformSetGeom(transform, held);
     const dWorldID world = dWorldCreate();
     dWorldSetContactSpace(world, space);
     EXPECT_GT(dWorldGetStateSize(world), 0u);

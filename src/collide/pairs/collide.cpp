@@ -421,10 +421,13 @@ PairFunction own_pair(int first, int second)
 PairFunction built_in_pair(int first, int second) { return table().built_in(first, second); }
 
 namespace {
+// Also of one that a transform holds.
 const HeightfieldData* field_of(const Geom& geom)
 {
-    if (geom.type->number != dHeightfieldClass) return nullptr;
-    return static_cast<const ShapeGeom<Heightfield>&>(geom).shape.field();
+    const Geom* its = &geom;
+    while (its && its->type == &kTransformType) its = static_cast<const TransformGeom*>(its)->inner;
+    if (!its || its->type->number != dHeightfieldClass) return nullptr;
+    return static_cast<const ShapeGeom<Heightfield>*>(its)->shape.field();
 }
 }  // namespace
 
