@@ -16,6 +16,9 @@
 
 #include <ode/ext.h>
 #include <ode/ode.h>
+#if defined(__SANITIZE_ADDRESS__)
+#include <sanitizer/lsan_interface.h>
+#endif
 
 namespace {
 
@@ -381,6 +384,14 @@ void go_on(Scene& scene, int pairs)
     EXPECT_EQ(g_refusals, 0) << g_text;
 }
 
+// What a call that is left had taken for itself alone is not given back (docs/errors.md).
+struct WithoutLeakCheck {
+#if defined(__SANITIZE_ADDRESS__)
+    WithoutLeakCheck() { __lsan_disable(); }
+    ~WithoutLeakCheck() { __lsan_enable(); }
+#endif
+};
+
 TEST_P(Escapes, leave_nothing_behind)
 {
     const auto [kind, way, depth] = GetParam();
@@ -388,7 +399,10 @@ TEST_P(Escapes, leave_nothing_behind)
     Scene scene;
     if (kind.prepare) kind.prepare(scene);
     g_refusals = 0;
-    deeper(depth > 0 ? 64 : 5000, [&, &k = kind, w = way] { call_and_land(k, scene, w); });
+    {
+        [[maybe_unused]] const WithoutLeakCheck without;
+        deeper(depth > 0 ? 64 : 5000, [&, &k = kind, w = way] { call_and_land(k, scene, w); });
+    }
     ASSERT_TRUE(g_left) << "the callback did not come";
     g_tests = g_offers = g_mourns = false;
     deeper(depth > 0 ? depth : 64, [&] { go_on(scene, pairs); });
