@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // One step of a group: as many copies as a register has lanes, their rows of numbers one behind the other in memory (group.h). A copy
-// whose velocities are no longer finite, or beyond what positions can take, keeps its last state and is flagged; it is not stepped
-// again before it is reset.
+// whose velocities or positions are no longer finite, or beyond what the next step can square, keeps its last state and is flagged; it
+// is not stepped again before it is reset.
 #pragma once
 
 #include "batch/lanes/group.h"
@@ -70,13 +70,14 @@ struct Step {
         finish(group, at, q, v, forces, h);
     }
 
-    // 0 where it has gone bad, now or before.
-    P goodness(const P& bad) const
+    // 0 where it has gone bad, now or before; q: the positions after the step.
+    P goodness(const P& bad, const P* q) const
     {
         const P most(T(sizeof(T) == 4 ? 1e15 : 1e60)), zero(0);
         P good = if_positive(bad, zero, P(1));
         for (int i = 0; i < model.velocities; ++i)
             good = if_greater(most, magnitude_or_nan(work.v[i]), good, zero);
+        for (int i = 0; i < model.positions; ++i) good = if_greater(most, magnitude_or_nan(q[i]), good, zero);
         return good;
     }
 
@@ -86,10 +87,11 @@ struct Step {
     {
         P &bad = *rows_at<P>(group, at.bad), *before = rows_at<P>(group, at.before),
           *before_v = rows_at<P>(group, at.before_v);
-        const P good = goodness(bad), zero(0), rate(T(1 / options.h));
+        const P zero(0), rate(T(1 / options.h));
         for (int i = 0; i < model.positions; ++i) before[i] = q[i];
         for (int i = 0; i < model.velocities; ++i) before_v[i] = v[i];
         integrate(model, work.v, h, q);
+        const P good = goodness(bad, q);
         // Plus zero: a zero has one sign, whatever the neighbours' rows were.
         for (int i = 0; i < model.velocities; ++i) v[i] = if_positive(good, work.v[i] + zero, v[i]);
         for (int i = 0; i < model.positions; ++i) q[i] = if_positive(good, q[i] + zero, before[i]);

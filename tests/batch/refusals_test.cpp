@@ -92,6 +92,21 @@ TEST_F(BatchRefusals, copies_that_go_bad_are_flagged_and_stay_alone)
     dRobotModelDestroy(model);
 }
 
+// Faster than its turns can be told: the copy is bad, and what is read of it is its last state.
+TEST_F(BatchRefusals, what_turns_too_fast_keeps_its_last_state)
+{
+    const dRobotModelID model = model_of(
+        R"(<mujoco><worldbody><body><freejoint/><geom size=".1" contype="0" conaffinity="0"/></body></worldbody></mujoco>)");
+    Copies<float> copies(model, 14, dReal(0.01));
+    for (int i = 0; i < 14; ++i)
+        copies.write_one(dBatchVelocities, i, {0, 0, 0, std::pow(10.0f, float(i + 1)), 2, 3});
+    dBatchStep(copies.id, 20);
+    for (const dBatchQuantity quantity : {dBatchPositions, dBatchVelocities, dBatchLinkPositions})
+        for (const float x : copies.read(quantity)) EXPECT_TRUE(std::isfinite(x));
+    EXPECT_GT(dBatchCountBad(copies.id), 0);
+    dRobotModelDestroy(model);
+}
+
 TEST_F(BatchRefusals, bound_arrays_live)
 {
     const dRobotModelID model = model_of(kWalker);
