@@ -10,63 +10,16 @@
 
 #include <algorithm>
 
+#include "batch/shape_geoms.h"
+
 namespace epode::batch {
 
 using namespace robots;
 
 namespace {
 
-dGeomID hull_geom(const Hull& hull)
-{
-    return dCreateConvex(nullptr, hull.planes.data(), unsigned(hull.planes.size() / 4), hull.points.data(),
-                         unsigned(hull.points.size() / 3), hull.polygons.data());
-}
-
-dGeomID geom_of(const Prepared& prepared, const AskedShape& its)
-{
-    const Shape& shape = *its.shape;
-    const dReal x = dReal(shape.size.x), y = dReal(shape.size.y), z = dReal(shape.size.z);
-    switch (shape.kind) {
-        case ShapeKind::kSphere:
-            return dCreateSphere(nullptr, x);
-        case ShapeKind::kBox:
-            return dCreateBox(nullptr, 2 * x, 2 * y, 2 * z);
-        case ShapeKind::kCapsule:
-            return dCreateCapsule(nullptr, x, 2 * y);
-        case ShapeKind::kCylinder:
-            return dCreateCylinder(nullptr, x, 2 * y);
-        case ShapeKind::kEllipsoid:
-            return dCreateEllipsoid(nullptr, x, y, z);
-        case ShapeKind::kPlane:
-            return dCreatePlane(nullptr, 0, 0, 1, 0);
-        case ShapeKind::kHull:
-            return hull_geom(prepared.hulls(shape.mesh)[size_t(its.part)]);
-        case ShapeKind::kHeights:
-            return dCreateHeightfield(nullptr, prepared.heights(shape.field), 1);
-        case ShapeKind::kTriangles:
-            return dCreateTriMesh(nullptr, prepared.triangles(shape.mesh), nullptr, nullptr, nullptr);
-    }
-    return nullptr;
-}
-
 Vec column(const AskedPose& pose, int k) { return {pose.turn[k], pose.turn[3 + k], pose.turn[6 + k]}; }
 Vec place(const AskedPose& pose) { return {pose.at[0], pose.at[1], pose.at[2]}; }
-
-// ODE's height fields have y up, and z towards the shape's -y.
-void put(dGeomID geom, ShapeKind kind, const AskedPose& pose)
-{
-    const Vec x = column(pose, 0), y = column(pose, 1), z = column(pose, 2), at = place(pose);
-    if (kind == ShapeKind::kPlane)
-        return dGeomPlaneSetParams(geom, dReal(z.x), dReal(z.y), dReal(z.z), dReal(dot(z, at)));
-    const bool lies = kind == ShapeKind::kHeights;
-    const Vec second = lies ? z : y, third = lies ? -y : z;
-    const dMatrix3 turn = {dReal(x.x), dReal(second.x), dReal(third.x), 0,
-                           dReal(x.y), dReal(second.y), dReal(third.y), 0,
-                           dReal(x.z), dReal(second.z), dReal(third.z), 0};
-    dGeomSetPosition(geom, dReal(at.x), dReal(at.y), dReal(at.z));
-    dGeomSetRotation(geom, turn);
-}
-
 Vec vec_of(const dReal* from) { return {double(from[0]), double(from[1]), double(from[2])}; }
 
 void write(AskedPoint& out, double gap, Vec point, Vec normal)
@@ -100,7 +53,7 @@ int moved_points(dGeomID a, dGeomID b, Vec at, double shift, Vec n, int most, As
 
 PairAsker::PairAsker(const AskedPairs& pairs) : pairs_(pairs)
 {
-    for (const AskedShape& shape : pairs.shapes) geoms_.push_back(geom_of(*pairs.prepared, shape));
+    for (const AskedShape& shape : pairs.shapes) geoms_.push_back(make_geom(*pairs.prepared, shape));
 }
 
 PairAsker::~PairAsker()
@@ -124,10 +77,10 @@ int PairAsker::ask(int number, const AskedPose& a, const AskedPose& b, double re
     const auto kind = [&](int shape) { return pairs_.shapes[size_t(shape)].shape->kind; };
     const dGeomID one = geoms_[size_t(pair.shape_a)], two = geoms_[size_t(pair.shape_b)];
     if (!one || !two) return 0;
-    put(one, kind(pair.shape_a), a), put(two, kind(pair.shape_b), b);
+    put_geom(one, kind(pair.shape_a), a), put_geom(two, kind(pair.shape_b), b);
     if (pair.is_landscape)
         if (const int found = moved_points(one, two, place(a), layer, column(b, 2), most, out)) return found;
-    if (pair.is_landscape) put(one, kind(pair.shape_a), a);
+    if (pair.is_landscape) put_geom(one, kind(pair.shape_a), a);
     dQueryDistance apart;
     if (!dGeomGetDistance(one, two, dReal(reach), &apart)) return 0;
     const double distance = double(apart.distance), shift = std::max(0.0, distance + layer);

@@ -70,11 +70,7 @@ class Batch : public AnyBatch {
         const T* in = static_cast<const T*>(from);
         for (int i = 0; i < count; ++i)
             if (!can_be(quantity, in + std::size_t(i) * std::size_t(size))) return false;
-        std::vector<T> values;
-        for (int i = 0; i < count; ++i, in += size) {
-            values.assign(in, in + size);
-            put(quantity, first + i, values);
-        }
+        for (int i = 0; i < count; ++i, in += size) put(quantity, first + i, in);
         return true;
     }
 
@@ -125,6 +121,26 @@ class Batch : public AnyBatch {
         int count = 0;
         for (int i = 0; i < copies_; ++i) count += at(i, layout_.bad) > 0;
         return count;
+    }
+
+    void cast(const Rays& rays, int first, int count, void* ranges, int* shapes) override
+    {
+        while (int(casters_.size()) < crew_.size()) casters_.push_back(std::make_unique<RayCaster>(model_));
+        T* out = static_cast<T*>(ranges);
+        crew_.work((first + count + lanes_ - 1) / lanes_ - first / lanes_, [&](int piece, int worker) {
+            const int group = first / lanes_ + piece;
+            observe(group, worker, kOfState);
+            for (int copy = std::max(first, group * lanes_);
+                 copy < std::min(first + count, (group + 1) * lanes_); ++copy) {
+                RayCaster& caster = *casters_[std::size_t(worker)];
+                caster.put([&](int link) { return link_pose(copy, link, worker); });
+                const std::size_t its = std::size_t(copy - first) * std::size_t(rays.count);
+                caster.cast(rays, [&](int i, const RayHit& hit) {
+                    out[its + std::size_t(i)] = T(hit.range);
+                    if (shapes) shapes[its + std::size_t(i)] = hit.shape;
+                });
+            }
+        });
     }
 
     void read(Parameter parameter, int first, int count, void* to) const override
@@ -194,8 +210,23 @@ class Batch : public AnyBatch {
         rows += row_of(quantity) * lanes_ + first % lanes_;
         for (int i = 0; i < count; ++i, out += size) {
             for (int k = 0; k < size; ++k) out[k] = rows[k * lanes_ + i];
-            if (quantity == Quantity::kVelocities) turn_rates(first + i, out, false);
+            if (quantity != Quantity::kVelocities) continue;
+            for (const BatchJoint& joint : model_.joints)
+                if (floats(joint)) turn_rate(joint, first + i, false, out + joint.dof + 3);
         }
+    }
+
+    // Of a group that the worker has observed.
+    robots::Pose link_pose(int copy, int link, int worker) const
+    {
+        const auto number = [&](int row) {
+            return double(observations(worker)[row * lanes_ + copy % lanes_]);
+        };
+        const int p = observed_.position + 3 * link, q = observed_.turn + 4 * link;
+        const bool stands_still = model_.links[std::size_t(link)].last_dof < 0;
+        robots::Vec at{number(p), number(p + 1), number(p + 2)};
+        for (int k = 0; stands_still && k < 3; ++k) at[k] += double(this->number(copy, model_.terrain + k));
+        return {at, {number(q), number(q + 1), number(q + 2), number(q + 3)}};
     }
 
     void put_at_reference(int copy)
@@ -243,21 +274,29 @@ class Batch : public AnyBatch {
                          : numbers_.data();
     }
 
-    // Of floating bases, between their links' axes and the world's.
-    void turn_rates(int copy, T* v, bool to_world) const
+    static bool floats(const BatchJoint& joint) { return joint.kind == JointKind::kFree; }
+    static bool turns(const BatchJoint& joint) { return floats(joint) || joint.kind == JointKind::kBall; }
+    static int quaternion_of(const BatchJoint& joint) { return joint.position + (floats(joint) ? 3 : 0); }
+
+    // A floating base's angular velocity, between its link's axes and the world's.
+    void turn_rate(const BatchJoint& joint, int copy, bool to_world, T* a) const
     {
-        for (const BatchJoint& joint : model_.joints) {
-            if (joint.kind != JointKind::kFree) continue;
-            const int q = layout_.q + joint.position + 3;
-            const T sign = to_world ? T(1) : T(-1), w = at(copy, q);
-            const T x = sign * at(copy, q + 1), y = sign * at(copy, q + 2), z = sign * at(copy, q + 3);
-            T* a = v + joint.dof + 3;
-            const T tx = 2 * (y * a[2] - z * a[1]), ty = 2 * (z * a[0] - x * a[2]),
-                    tz = 2 * (x * a[1] - y * a[0]);
-            const T out[3] = {a[0] + w * tx + (y * tz - z * ty), a[1] + w * ty + (z * tx - x * tz),
-                              a[2] + w * tz + (x * ty - y * tx)};
-            std::copy_n(out, 3, a);
-        }
+        const int q = layout_.q + quaternion_of(joint);
+        const T sign = to_world ? T(1) : T(-1), w = at(copy, q);
+        const T x = sign * at(copy, q + 1), y = sign * at(copy, q + 2), z = sign * at(copy, q + 3);
+        const T tx = 2 * (y * a[2] - z * a[1]), ty = 2 * (z * a[0] - x * a[2]),
+                tz = 2 * (x * a[1] - y * a[0]);
+        const T out[3] = {a[0] + w * tx + (y * tz - z * ty), a[1] + w * ty + (z * tx - x * tz),
+                          a[2] + w * tz + (x * ty - y * tx)};
+        std::copy_n(out, 3, a);
+    }
+
+    void turn_stored_rate(const BatchJoint& joint, int copy, bool to_world)
+    {
+        const int row = layout_.v + joint.dof + 3;
+        T rate[3] = {at(copy, row), at(copy, row + 1), at(copy, row + 2)};
+        turn_rate(joint, copy, to_world, rate);
+        for (int k = 0; k < 3; ++k) at(copy, row + k) = rate[k];
     }
 
     // Numbers whose squares are finite.
@@ -267,44 +306,45 @@ class Batch : public AnyBatch {
         const int size = size_of(quantity);
         if (!std::all_of(its, its + size, [&](T x) { return std::fabs(x) < most; })) return false;
         if (quantity != Quantity::kPositions) return true;
-        for (const BatchJoint& joint : model_.joints) {
-            const int first = joint.position + (joint.kind == JointKind::kFree ? 3 : 0);
-            if ((joint.kind == JointKind::kFree || joint.kind == JointKind::kBall) &&
-                !(length2(its + first) > T(1e-6)))
-                return false;
-        }
-        return true;
+        return std::all_of(model_.joints.begin(), model_.joints.end(), [&](const BatchJoint& joint) {
+            return !turns(joint) || length2(its + quaternion_of(joint)) > T(1e-6);
+        });
     }
 
     static T length2(const T* q) { return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]; }
 
-    // Positions keep the angular velocity that is seen, in the link's axes; quaternions get unit length.
-    void put(Quantity quantity, int copy, std::vector<T>& values)
+    void put(Quantity quantity, int copy, const T* values)
     {
-        if (quantity == Quantity::kPositions) return put_positions(copy, values);
-        if (quantity == Quantity::kVelocities) turn_rates(copy, values.data(), true);
+        if (quantity == Quantity::kPositions) {
+            for (const BatchJoint& joint : model_.joints) put_position(joint, copy, values + joint.position);
+            return;
+        }
         const int row = row_of(quantity);
-        for (int k = 0; k < int(values.size()); ++k) at(copy, row + k) = values[std::size_t(k)];
+        for (int k = 0; k < size_of(quantity); ++k) at(copy, row + k) = values[k];
+        if (quantity != Quantity::kVelocities) return;
+        for (const BatchJoint& joint : model_.joints)
+            if (floats(joint)) turn_stored_rate(joint, copy, true);
     }
 
-    void put_positions(int copy, std::vector<T>& values)
+    // A floating base keeps the angular velocity that is seen, in its link's axes.
+    void put_position(const BatchJoint& joint, int copy, const T* values)
     {
-        std::vector<T> v(static_cast<std::size_t>(model_.velocities));
+        const int row = layout_.q + joint.position;
         bool changes = false;
-        for (int k = 0; k < model_.positions; ++k)
-            changes |= at(copy, layout_.q + k) != values[std::size_t(k)];
+        for (int k = 0; k < coordinates(joint.kind); ++k) changes |= at(copy, row + k) != values[k];
         if (!changes) return;
-        read(Quantity::kVelocities, copy, 1, v.data());
-        for (const BatchJoint& joint : model_.joints) {
-            if (joint.kind != JointKind::kFree && joint.kind != JointKind::kBall) continue;
-            T* q = values.data() + joint.position + (joint.kind == JointKind::kFree ? 3 : 0);
-            const T length = std::sqrt(length2(q));
-            if (std::fabs(length - 1) > 4 * std::numeric_limits<T>::epsilon())
-                for (int k = 0; k < 4; ++k) q[k] /= length;
-        }
-        for (int k = 0; k < model_.positions; ++k) at(copy, layout_.q + k) = values[std::size_t(k)];
-        turn_rates(copy, v.data(), true);
-        for (int k = 0; k < model_.velocities; ++k) at(copy, layout_.v + k) = v[std::size_t(k)];
+        if (floats(joint)) turn_stored_rate(joint, copy, false);
+        for (int k = 0; k < coordinates(joint.kind); ++k) at(copy, row + k) = values[k];
+        if (turns(joint)) make_unit(copy, layout_.q + quaternion_of(joint));
+        if (floats(joint)) turn_stored_rate(joint, copy, true);
+    }
+
+    void make_unit(int copy, int row)
+    {
+        const T q[4] = {at(copy, row), at(copy, row + 1), at(copy, row + 2), at(copy, row + 3)};
+        const T length = std::sqrt(length2(q));
+        if (std::fabs(length - 1) > 4 * std::numeric_limits<T>::epsilon())
+            for (int k = 0; k < 4; ++k) at(copy, row + k) = q[k] / length;
     }
 
     void write_bound(int group, int worker)
@@ -329,8 +369,9 @@ class Batch : public AnyBatch {
     Block state_;
     std::vector<T> numbers_;
     std::vector<T> own_;  // rows of lanes, group by group; empty: all copies share numbers_
-    std::vector<Block> work_, observations_;          // of each thread
-    std::vector<std::unique_ptr<PairAsker>> askers_;  // of each thread
+    std::vector<Block> work_, observations_;           // of each thread
+    std::vector<std::unique_ptr<PairAsker>> askers_;   // of each thread
+    std::vector<std::unique_ptr<RayCaster>> casters_;  // of each thread, once rays are cast
     std::array<T*, std::size_t(Quantity::kCount)> bound_{}, watched_{};
     Crew crew_;
 };

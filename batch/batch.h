@@ -13,6 +13,7 @@
 #include "batch/lanes/group.h"
 #include "batch/lanes/kernels.h"
 #include "batch/parameters.h"
+#include "batch/rays.h"
 
 namespace epode::batch {
 
@@ -69,6 +70,8 @@ class AnyBatch {
     // Writes arrays of those copies, of whole groups.
     virtual void refresh(int first, int count, int worker) = 0;
     virtual int bad() const = 0;  // how many
+    // Of each of `count` copies from `first` on: ranges (count, rays), infinite where nothing is hit; shapes, the same, or null.
+    virtual void cast(const Rays& rays, int first, int count, void* ranges, int* shapes) = 0;
     // (count, size) as above. Once one has been written, every copy has numbers of its own. False: a number that cannot be.
     virtual void read(Parameter parameter, int first, int count, void* to) const = 0;
     virtual bool write(Parameter parameter, int first, int count, const void* from) = 0;

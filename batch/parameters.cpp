@@ -12,6 +12,7 @@ int size_of(const BatchModel& model, Parameter parameter)
 {
     switch (parameter) {
         case Parameter::kGravity:
+        case Parameter::kTerrain:
             return 3;
         case Parameter::kMasses:
             return int(model.links.size());
@@ -30,6 +31,8 @@ int place_of(const BatchModel& model, Parameter parameter, int number)
     switch (parameter) {
         case Parameter::kGravity:
             return model.gravity + number;
+        case Parameter::kTerrain:
+            return model.terrain + number;
         case Parameter::kMasses:
             return model.links[i].first + link_number::kMass;
         case Parameter::kFrictions:
@@ -49,7 +52,9 @@ bool can_be(const BatchModel& model, Parameter parameter, int number, double val
 {
     constexpr double kMost = 1e15;
     if (!(std::fabs(value) < kMost)) return false;
-    if (parameter == Parameter::kGravity || parameter == Parameter::kGains) return true;
+    if (parameter == Parameter::kGravity || parameter == Parameter::kGains ||
+        parameter == Parameter::kTerrain)
+        return true;
     const auto i = std::size_t(number);
     const bool moves = parameter == Parameter::kMasses && model.links[i].last_dof >= 0;
     const double now = model.numbers[std::size_t(place_of(model, parameter, number))];

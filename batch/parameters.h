@@ -8,7 +8,17 @@
 
 namespace epode::batch {
 
-enum class Parameter { kGravity, kMasses, kFrictions, kArmatures, kDampings, kStiffnesses, kGains, kCount };
+enum class Parameter {
+    kGravity,
+    kMasses,
+    kFrictions,
+    kArmatures,
+    kDampings,
+    kStiffnesses,
+    kGains,
+    kTerrain,
+    kCount
+};
 
 int size_of(const BatchModel& model, Parameter parameter);
 int place_of(const BatchModel& model, Parameter parameter, int number);

@@ -63,6 +63,21 @@ inline bool are_usable(const dReal* values, int count)
     return std::all_of(values, values + count, is_usable);
 }
 
+inline bool is_distance(dReal distance)
+{
+    return distance >= 0 && (is_usable(distance) || distance == dReal(dInfinity));
+}
+
+// None of length 0.
+inline bool are_directions(const dReal* directions, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        const dReal* d = directions + 3 * size_t(i);
+        if (!are_usable(d, 3) || (d[0] == 0 && d[1] == 0 && d[2] == 0)) return false;
+    }
+    return true;
+}
+
 // Only libode knows its handles. What is null or none is refused, with a message of libode if it is not null.
 inline bool is_world(dWorldID world) { return world && dWorldGetQuickStepNumIterations(world) > 0; }
 inline bool is_space(dSpaceID space) { return space && dGeomIsSpace(reinterpret_cast<dGeomID>(space)); }

@@ -41,27 +41,12 @@ void write(Vec v, dReal* out)
     for (int i = 0; out && i < 3; ++i) out[i] = dReal(v[i]);
 }
 
-bool is_distance(dReal distance)
-{
-    return distance >= 0 && (is_usable(distance) || distance == dReal(dInfinity));
-}
-
 bool is_good(const dRobotCamera& camera)
 {
     const bool sides =
         camera.width > 0 && camera.height > 0 && camera.width <= kMaxPixels && camera.height <= kMaxPixels;
     return camera.struct_size == sizeof(dRobotCamera) && sides && camera.threads >= 0 && camera.field > 0 &&
            double(camera.field) < kHalfTurn && camera.max_distance > 0 && is_distance(camera.max_distance);
-}
-
-// None of length 0.
-bool are_directions(const dReal* directions, int count)
-{
-    for (int i = 0; i < count; ++i) {
-        const dReal* d = directions + 3 * size_t(i);
-        if (!are_usable(d, 3) || (d[0] == 0 && d[1] == 0 && d[2] == 0)) return false;
-    }
-    return true;
 }
 
 }  // namespace

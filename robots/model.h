@@ -95,6 +95,10 @@ struct Link {
 };
 
 enum class JointKind { kHinge, kSlide, kBall, kFree };
+constexpr int coordinates(JointKind kind)
+{
+    return kind == JointKind::kFree ? 7 : kind == JointKind::kBall ? 4 : 1;
+}
 const char* name_of(JointKind kind);
 
 struct Joint {
@@ -110,7 +114,7 @@ struct Joint {
     Softness stop_softness;
     int position = 0;  // where its coordinates begin among all
     int line = 0;
-    int coordinates() const { return kind == JointKind::kFree ? 7 : kind == JointKind::kBall ? 4 : 1; }
+    int coordinates() const { return robots::coordinates(kind); }
     bool is_scalar() const { return kind == JointKind::kHinge || kind == JointKind::kSlide; }
 };
 

@@ -4,6 +4,8 @@
 // The C functions of batches: see robots/api.h for how arguments are checked.
 #include "epode/batch.h"
 
+#include <algorithm>
+#include <cmath>
 #include <thread>
 
 #include "batch/batch.h"
@@ -206,6 +208,29 @@ int dBatchReset(dBatchID batch, const unsigned char* mask)
     CHECK(its, kBatch);
     its->reset(mask);
     return 1;
+}
+
+int dBatchCastRays(dBatchID batch, int link, int axes, int rays, const dReal* origins,
+                   const dReal* directions, dReal max_distance, int first, int count, void* ranges,
+                   int* shapes)
+{
+    AnyBatch* its = alive(batch);
+    const bool is_part = its && first >= 0 && count >= 0 && first <= its->copies() - count &&
+                         (ranges || count == 0 || rays == 0);
+    CHECK(is_part && link >= 0 && link < int(its->model().links.size()),
+          "a batch, one of its model's links, copies that there are, and an array of ranges");
+    CHECK(axes >= dBatchRaysOfLink && axes <= dBatchRaysUpright && rays >= 0 && is_distance(max_distance),
+          "axes that there are, and a count and a distance of 0 or more");
+    CHECK(rays == 0 ||
+              (directions && are_directions(directions, rays) && (!origins || are_usable(origins, 3 * rays))),
+          "finite origins, and finite directions that are not 0");
+    return guarded(__func__, [&] {
+        std::vector<double> from(3 * size_t(rays)), along(directions, directions + 3 * size_t(rays));
+        if (origins) std::copy_n(origins, from.size(), from.begin());
+        its->cast({link, rays, epode::batch::RayAxes(axes), from.data(), along.data(), double(max_distance)},
+                  first, count, ranges, shapes);
+        return 1;
+    });
 }
 
 int dBatchCountBad(dBatchID batch)

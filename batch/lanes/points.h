@@ -30,7 +30,8 @@ struct Points {
             const BatchShape& its = model.shapes[i];
             const LinkWork<P>& link = work.link[its.link];
             const Vec3Of<P> size = numbers.vec(its.first + shape_number::kSize);
-            const Vec3Of<P> at = link.p + link.r * numbers.vec(its.first + shape_number::kPlace);
+            Vec3Of<P> at = link.p + link.r * numbers.vec(its.first + shape_number::kPlace);
+            if (model.links[its.link].last_dof < 0) at = at + numbers.vec(model.terrain);
             work.placed[i] = {
                 at,
                 its.is_turned ? matrix_of(link.q * numbers.quat(its.first + shape_number::kTurn)) : link.r,

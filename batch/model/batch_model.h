@@ -175,7 +175,8 @@ struct BatchModel {
         entries = 0;                                    // entries: of the mass matrix
     int limits = 0, dry = 0, servos = 0, sum_rows = 0;  // rows that they may make
     int filters = 0;                                    // activations
-    int gravity = 0, wind = 0;                          // where their three numbers begin
+    int gravity = 0, wind = 0,
+        terrain = 0;  // where their three numbers begin; terrain: a shift of all that stands still
     // Of all rows of constraints the impulses of the last step, three a slot of contact.
     int impulses() const { return 3 * slots + limits + dry + servos + sum_rows; }
 };

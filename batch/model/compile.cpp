@@ -211,6 +211,7 @@ bool compile(const std::shared_ptr<const Prepared>& shared, BatchModel& out, std
     if (!refusal.empty()) return false;
     out.name = model.name;
     out.gravity = add(out.numbers, {model.gravity.x, model.gravity.y, model.gravity.z});
+    out.terrain = add(out.numbers, {0, 0, 0});
     for (const Link& link : model.links) add_link(out, link);
     for (size_t i = 1; i < model.links.size(); ++i) add_joints_of(out, prepared, int(i));
     const std::vector<int> sums = add_sums(out, prepared);

@@ -55,6 +55,7 @@ struct ModelView {
           servos(model.servos),
           gravity(model.gravity),
           wind(model.wind),
+          terrain(model.terrain),
           sum_rows(model.sum_rows),
           filters(model.filters)
     {}
@@ -73,8 +74,8 @@ struct ModelView {
     Items<BatchSum> sums;
     Items<SumTerm> sum_terms;
     Items<int> sum_dofs;
-    int positions, velocities, controls, trees, slots, entries, limits, dry, servos, gravity, wind, sum_rows,
-        filters;
+    int positions, velocities, controls, trees, slots, entries, limits, dry, servos, gravity, wind, terrain,
+        sum_rows, filters;
 
     EPODE_ALWAYS int first_sum() const { return 3 * slots + limits + dry + servos; }
     EPODE_ALWAYS int impulses() const { return first_sum() + sum_rows; }

@@ -56,7 +56,7 @@ class Pairs {
         int number = 0;
         for (size_t i = 0; i < model_.links.size(); ++i)
             for (const Shape& shape : model_.links[i].shapes) {
-                for (int part = 0; part < parts_of(shape); ++part)
+                for (int part = 0; part < parts_of(prepared_, shape); ++part)
                     shapes_.push_back({number, &shape, int(i), part});
                 ++number;
             }
@@ -76,13 +76,6 @@ class Pairs {
     }
 
   private:
-    // Plates and lines have no hulls, and touch nothing.
-    int parts_of(const Shape& shape) const
-    {
-        if (shape.kind == ShapeKind::kTriangles) return prepared_.triangles(shape.mesh) ? 1 : 0;
-        return shape.kind == ShapeKind::kHull ? int(prepared_.hulls(shape.mesh).size()) : 1;
-    }
-
     static AskedShape asked(const Touching& its) { return {its.number, its.shape, its.part}; }
 
     Kind kind_of(const Touching& a, const Touching& b) const

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What an episode draws (task.h): where a copy starts, and parameters of its model.
+// What an episode draws (task.h): where a copy starts, and parameters of its model. By the thread that has stepped the copy, so in
+// memory that is there before (Scratch): nothing is allocated.
 #pragma once
 
 #include "batch/tasks/random.h"
@@ -11,15 +12,34 @@ namespace epode::batch {
 
 constexpr int kDraws = 1000;  // tries, before what cannot be is let alone
 
+// Of one thread, as large as the largest draw.
+template <typename T>
+struct Scratch {
+    std::vector<T> positions, velocities, values;
+    std::vector<double> drawn;
+
+    Scratch(const BatchModel& model, const Task& task)
+        : positions(std::size_t(model.positions)), velocities(std::size_t(model.velocities))
+    {
+        std::size_t most = 0;
+        for (const Start& start : task.starts) most = std::max(most, start.low.size());
+        drawn.reserve(most), most = 0;
+        for (const Draw& draw : task.draws)
+            most = std::max(most, std::size_t(size_of(model, draw.parameter)));
+        values.reserve(most);
+    }
+};
+
 inline double drawn(Random& random, bool is_normal, double low, double high)
 {
     return is_normal ? low + high * random.normal() : random.uniform(low, high);
 }
 
 template <typename T>
-void draw_start(const Start& start, Random& random, std::vector<T>& values)
+void draw_start(const Start& start, Random& random, Scratch<T>& scratch)
 {
-    std::vector<double> x(start.low.size());
+    std::vector<double>& x = scratch.drawn;
+    x.resize(start.low.size());
     for (int tries = 0; tries < kDraws; ++tries) {
         double square = 0;
         for (std::size_t k = 0; k < x.size(); ++k)
@@ -28,16 +48,18 @@ void draw_start(const Start& start, Random& random, std::vector<T>& values)
         if (length > start.min_length && length < start.max_length) break;
     }
     for (std::size_t k = 0; k < x.size(); ++k) {
-        T& value = values[std::size_t(start.first) + k];
+        T& value = (start.is_velocity ? scratch.velocities : scratch.positions)[std::size_t(start.first) + k];
         value = T(start.is_relative ? double(value) + x[k] : x[k]);
     }
 }
 
 // What the parameter cannot be is drawn again; `models` are the numbers of the model.
 template <typename T>
-void draw_parameter(AnyBatch& batch, const Draw& draw, const std::vector<T>& models, Random& random, int copy)
+void draw_parameter(AnyBatch& batch, const Draw& draw, const std::vector<T>& models, Random& random, int copy,
+                    Scratch<T>& scratch)
 {
-    std::vector<T> values = models;
+    std::vector<T>& values = scratch.values;
+    values.assign(models.begin(), models.end());
     double x = 0;
     for (std::size_t k = 0; k < values.size(); ++k)
         for (int tries = 0; tries < kDraws; ++tries) {

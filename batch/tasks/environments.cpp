@@ -32,6 +32,8 @@ class EnvironmentsOf : public Environments {
           width_(std::size_t(task_.observation_size())),
           episodes_(std::size_t(batch.copies()))
     {
+        scratch_.reserve(std::size_t(batch.threads()));
+        for (int i = 0; i < batch.threads(); ++i) scratch_.emplace_back(batch.model(), task_);
         for (Term& term : task_.terms)
             if (term.kind == Term::Kind::kRate) term.rate = rates_++;
         before_.resize(episodes_.size() * std::size_t(rates_));
@@ -54,7 +56,7 @@ class EnvironmentsOf : public Environments {
         for (int i = 0; i < batch_.copies(); ++i) {
             if (mask && !mask[i]) continue;
             if (seed) episodes_[std::size_t(i)] = {*seed, 0, 0, false};
-            begin(i);
+            begin(i, 0);
         }
         batch_.refresh(0, batch_.copies(), 0);
         for (int i = 0; i < batch_.copies(); ++i) {
@@ -146,7 +148,7 @@ class EnvironmentsOf : public Environments {
                             out_.final_infos + i * task_.columns);
                 out_.begun[i] = true;
             }
-            if (out_.begun[i]) begin(i), any_begins = true;
+            if (out_.begun[i]) begin(i, worker), any_begins = true;
         }
         if (any_begins) batch_.refresh(first, count, worker);
         for (int i = first; i < first + count; ++i)
@@ -192,21 +194,23 @@ class EnvironmentsOf : public Environments {
     }
 
     // The first state of an episode; the copy's arrays are old until they are refreshed.
-    void begin(int i)
+    void begin(int i, int worker)
     {
         Episode& episode = episodes_[std::size_t(i)];
+        Scratch<T>& scratch = scratch_[std::size_t(worker)];
         ++episode.number, episode.steps = 0, episode.is_over = false;
         batch_.reset_copy(i);
         for (std::size_t k = 0; k < task_.draws.size(); ++k) {
             Random random = random_of(i, Random::kParameters, std::uint32_t(task_.draws[k].parameter));
-            draw_parameter(batch_, task_.draws[k], draw_from_[k], random, i);
+            draw_parameter(batch_, task_.draws[k], draw_from_[k], random, i, scratch);
         }
-        std::vector<T> q(std::size_t(batch_.model().positions)), v(std::size_t(batch_.model().velocities));
-        std::copy(batch_.model().reference.begin(), batch_.model().reference.end(), q.begin());
+        const std::vector<double>& reference = batch_.model().reference;
+        std::copy(reference.begin(), reference.end(), scratch.positions.begin());
+        std::fill(scratch.velocities.begin(), scratch.velocities.end(), T(0));
         Random random = random_of(i, Random::kReset);
-        for (const Start& start : task_.starts) draw_start(start, random, start.is_velocity ? v : q);
-        batch_.write(Quantity::kPositions, i, 1, q.data());
-        batch_.write(Quantity::kVelocities, i, 1, v.data());
+        for (const Start& start : task_.starts) draw_start(start, random, scratch);
+        batch_.write(Quantity::kPositions, i, 1, scratch.positions.data());
+        batch_.write(Quantity::kVelocities, i, 1, scratch.velocities.data());
     }
 
     // The first observation of an episode.
@@ -244,6 +248,7 @@ class EnvironmentsOf : public Environments {
     std::vector<Episode> episodes_;
     std::vector<double> before_;  // of each copy what rates are of
     std::vector<std::vector<T>> draw_from_;
+    std::vector<Scratch<T>> scratch_;  // of each thread
     int rates_ = 0;
 };
 

@@ -105,7 +105,8 @@ typedef enum {
     dBatchArmatures, /**< of rotors, along the velocities, kg m^2 or kg */
     dBatchDampings,  /**< of joints, along the velocities, N m s or N s/m */
     dBatchStiffnesses, /**< of joints' springs, along the velocities, N m or N/m */
-    dBatchGains        /**< of actuators */
+    dBatchGains,       /**< of actuators */
+    dBatchTerrain      /**< three, m: by how much shapes of the world and of all that stands still are moved */
 } dBatchParameter;
 
 /** Of `count` copies from `first` on, (count, size) as in dBatchRead.
@@ -129,6 +130,21 @@ ODE_API int dBatchStep(dBatchID batch, int steps);
 /** Puts copies back to the reference position, at rest, with no controls and forces: those whose byte of mask, one a copy, is not 0;
     all if mask is NULL. Returns 1. [ours] */
 ODE_API int dBatchReset(dBatchID batch, const unsigned char* mask);
+
+/** Axes in which rays are given; all of them begin at the link's origin. */
+typedef enum {
+    dBatchRaysOfLink,  /**< the link's: rangefinders, lidars */
+    dBatchRaysOfWorld, /**< the world's */
+    dBatchRaysUpright  /**< z up, x where the link's x heads: scans of the ground's heights */
+} dBatchRayAxes;
+
+/** Casts rays from a link of each of `count` copies from `first` on. What the link itself has is not hit, unless it is the world.
+    link: its number in the model. axes: a dBatchRayAxes, of origins (m, 0: all in the link's origin) and directions (any length but
+    0), 3 reals a ray. ranges: floats or doubles, (count, rays), distances to the nearest shape, m, infinite beyond max_distance.
+    shapes: the same of ints, which of the model's shapes, counted link by link, was hit, -1 for none; may be 0. The batch's threads
+    share the work. Returns 1. Refused besides: no such link or axes; a direction of length 0; rays or max_distance below 0. [ours] */
+ODE_API int dBatchCastRays(dBatchID batch, int link, int axes, int rays, const dReal* origins, const dReal* directions,
+                           dReal max_distance, int first, int count, void* ranges, int* shapes);
 
 /** Returns how many copies are bad. [ours] */
 ODE_API int dBatchCountBad(dBatchID batch);

@@ -25,7 +25,8 @@ from .world import World
 
 _QUANTITIES = ("qpos", "qvel", "ctrl", "applied", "forces", "bad", "residual", "sweeps", "act",
                "xpos", "xquat", "cvel", "cinert", "cfrc_ext", "com", "qfrc_actuator", "qfrc_constraint")
-_PARAMETERS = ("gravity", "mass", "friction", "armature", "damping", "stiffness", "gain")
+_AXES = ("link", "world", "upright")
+_PARAMETERS = ("gravity", "mass", "friction", "armature", "damping", "stiffness", "gain", "terrain")
 
 
 def _number_in(names: tuple[str, ...], name: str, what: str) -> int:
@@ -118,7 +119,8 @@ class Batch:
         return np.array(np.broadcast_to(given, (self.copies, size)), order="C")
 
     def get(self, parameter: str) -> NDArray[Any]:
-        """A new array (copies, size) of gravity, mass, friction (of pairs of shapes), armature, damping, stiffness or gain."""
+        """A new array (copies, size) of gravity, mass, friction (of pairs of shapes), armature, damping, stiffness, gain or terrain
+        (by how much all that stands still is moved)."""
         number = _number_in(_PARAMETERS, parameter, "parameter")
         array = np.empty((self.copies, self._batch.parameter_size(number)), self.dtype)
         self._batch.read_parameter(number, 0, self.copies, array)
@@ -137,6 +139,24 @@ class Batch:
     def reset(self, mask: ArrayLike | None = None) -> None:
         """Puts copies back to the reference, at rest: those that the mask says, or all."""
         self._batch.reset(None if mask is None else np.ascontiguousarray(mask, bool))
+
+    def rays(self, link: int | str, directions: ArrayLike, *, origins: ArrayLike | None = None,
+             axes: Literal["link", "world", "upright"] = "link", max_distance: float = np.inf,
+             shapes: NDArray[np.int32] | None = None) -> NDArray[Any]:
+        """Distances (copies, rays) from a link of each copy to the nearest shape that is not its own, infinite where none is.
+
+        directions and origins: (rays, 3), from the link's origin, in the link's axes, in the world's, or upright: z up, x where the
+        link's x heads, as scans of heights want it. shapes: an array (copies, rays) that gets which shape of the model was hit, or -1."""
+        number = self.model.link_names.index(link) if isinstance(link, str) else link
+        ways = np.ascontiguousarray(directions, float)
+        starts = np.zeros_like(ways) if origins is None else np.ascontiguousarray(origins, float)
+        if ways.ndim != 2 or ways.shape[1] != 3 or starts.shape != ways.shape:
+            raise ValueError(f"directions and origins (rays, 3) are expected, not {ways.shape} and {starts.shape}")
+        if not (np.isfinite(ways).all() and np.isfinite(starts).all() and (ways != 0).any(axis=1).all() and max_distance >= 0):
+            raise ValueError("finite origins, directions that are not 0 and a distance of 0 or more are expected")
+        ranges = np.empty((self.copies, len(ways)), self.dtype)
+        self._batch.rays(number, _number_in(_AXES, axes, "kind of axes"), starts, ways, max_distance, ranges, shapes)
+        return ranges
 
     def rollout(self, controls: ArrayLike, *, steps: int = 1) -> tuple[NDArray[Any], NDArray[Any]]:
         """Steps with controls (copies, times, actuators), `steps` each. Returns qpos and qvel (copies, times, size) after each time."""

@@ -119,6 +119,25 @@ void bind(BoundBatch& b, int quantity, nb::object array)
     b.its().bind(its, memory);
 }
 
+using RayRows = nb::ndarray<const double, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
+
+void cast_rays(BoundBatch& b, int link, int axes, const RayRows& origins, const RayRows& directions,
+               double reach, nb::handle ranges, nb::object shapes)
+{
+    const Use use(b);
+    const int rays = int(directions.shape(0));
+    if (link < 0 || link >= int(b.its().model().links.size())) throw nb::index_error("no such link");
+    void* to = memory_of(b.its(), ranges, rays, 0, b.its().copies());
+    nb::ndarray<int, nb::c_contig, nb::device::cpu> numbers;
+    if (!shapes.is_none() &&
+        (!nb::try_cast(shapes, numbers, false) || numbers.size() != size_t(rays) * size_t(b.its().copies())))
+        throw nb::value_error("an array of ints, one a ray, is expected");
+    const epode::batch::Rays its{link, rays, epode::batch::RayAxes(axes), origins.data(), directions.data(),
+                                 reach};
+    const WithoutGil released;
+    b.its().cast(its, 0, b.its().copies(), to, shapes.is_none() ? nullptr : numbers.data());
+}
+
 void step(BoundBatch& b, int steps)
 {
     if (steps < 0) throw nb::value_error("0 steps or more are expected");
@@ -172,6 +191,8 @@ void bind_batches(nb::module_& m)
         .def("bind", bind, nb::arg().none(), nb::arg().none())
         .def("step", step)
         .def("reset", reset, nb::arg().none())
+        .def("rays", cast_rays, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
+             nb::arg().none())
         .def_prop_ro("bad", [](const BoundBatch& b) { return b.its().bad(); });
 #else
     static_cast<void>(m);

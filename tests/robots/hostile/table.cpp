@@ -119,6 +119,8 @@ constexpr RobotFunction kAll[] = {
     FUNCTION(dBatchBind, kBatch, kQuantity, kBound),
     FUNCTION(dBatchStep, kBatch, kStepCount),
     FUNCTION(dBatchReset, kBatch, kMask),
+    FUNCTION(dBatchCastRays, kBatch, kNumber, kRayAxes, kRayCount, kOriginsOrNone, kDirections, kDistance,
+             kFirstCopy, kCopyCount, kOutput, kOutputOrNone),
     FUNCTION(dBatchCountBad, kBatch),
 };
 

@@ -42,6 +42,7 @@ enum class Role {
     kTurnOrNone,
     kFrameOrNone,
     kDirections,
+    kOriginsOrNone,
     kName,
     kLoadPath,
     kSavePath,
@@ -76,6 +77,7 @@ enum class Role {
     kCopyValues,
     kBound,
     kMask,
+    kRayAxes,
 };
 
 struct RobotFunction {
@@ -85,7 +87,7 @@ struct RobotFunction {
     unsigned struct_size;  // of what it fills
 };
 
-inline constexpr int kMaxArguments = 9;
+inline constexpr int kMaxArguments = 12;
 
 std::span<const RobotFunction> robot_functions();
 

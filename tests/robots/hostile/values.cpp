@@ -447,6 +447,8 @@ Value Values::choose(const RobotFunction& function, int argument, bool hostile)
                 if (values[3 * i] == 0 && values[3 * i + 1] == 0 && values[3 * i + 2] == 0) v.trait = kBad;
             return v;
         }
+        case Role::kOriginsOrNone:
+            return below(3) ? reals(argument, 3 * kRays, hostile) : none();
         case Role::kName:
             return text(argument, {"wrist", "torso", "hip", "eye", "knee", "base"}, hostile);
         case Role::kLoadPath:
@@ -507,7 +509,7 @@ Value Values::choose(const RobotFunction& function, int argument, bool hostile)
             return integer(below(kLastQuantity + 1), {{-1, kBad}, {kLastQuantity + 1, kBad}, {INT_MAX, kBad}},
                            hostile);
         case Role::kParameter:
-            return integer(below(dBatchGains + 1), {{-1, kBad}, {dBatchGains + 1, kBad}, {INT_MAX, kBad}},
+            return integer(below(dBatchTerrain + 1), {{-1, kBad}, {dBatchTerrain + 1, kBad}, {INT_MAX, kBad}},
                            hostile);
         case Role::kFirstCopy:
             return integer(below(2),
@@ -522,6 +524,8 @@ Value Values::choose(const RobotFunction& function, int argument, bool hostile)
             return copy_values(argument, hostile);
         case Role::kBound:
             return below(2) ? none() : pointer(scene_.bound.data(), kFine, "bound");
+        case Role::kRayAxes:
+            return integer(below(3), {{-1, kBad}, {3, kBad}, {INT_MAX, kBad}}, hostile);
         case Role::kMask:
             return below(3) ? output(argument, std::size_t(Scene::kCopies), false) : none();
         case Role::kOutput:
@@ -555,18 +559,19 @@ int Values::must_refuse(const RobotFunction& function, const Value* arguments) c
     for (int i = 0; i < int(function.roles.size()); ++i) {
         const Role role = function.roles[std::size_t(i)];
         const Trait trait = arguments[i].trait;
-        const bool of_rays =
-            is(role, {Role::kDirections, Role::kRangeOutput}) && value_of(Role::kRayCount) == 0;
+        const bool of_rays = is(role, {Role::kDirections, Role::kOriginsOrNone, Role::kRangeOutput}) &&
+                             value_of(Role::kRayCount) == 0;
         const bool of_targets = role == Role::kTargets && value_of(Role::kTargetCount) == 0;
         const bool of_copies =
             is(role, {Role::kOutput, Role::kCopyValues}) && value_of(Role::kCopyCount) == 0;
+        if (role == Role::kOutput && value_of(Role::kRayCount) == 0) continue;
         if (of_rays || of_targets || of_copies) continue;
         if (trait == Trait::kBad || trait == Trait::kNaN) return i;
         if (trait != Trait::kNull) continue;
         if (is(role, {Role::kSpaceOrNone, Role::kVelocitiesOrNone, Role::kPointOrNone, Role::kTurnOrNone,
                       Role::kFrameOrNone, Role::kOptions, Role::kInverseOptions, Role::kDecomposition,
                       Role::kDecompositionReport, Role::kResult, Role::kOutputOrNone, Role::kBatchOptions,
-                      Role::kBound, Role::kMask}))
+                      Role::kBound, Role::kMask, Role::kOriginsOrNone}))
             continue;
         if (is(role, {Role::kPositions, Role::kPositionInOut}) && positions_ == 0) continue;
         if (role == Role::kOutput && value_of(Role::kCapacity) == 0) continue;
