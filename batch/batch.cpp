@@ -26,7 +26,7 @@ Block block_of(std::size_t bytes) { return Block(::operator new(bytes, std::alig
 template <typename T>
 class Batch : public AnyBatch {
   public:
-    Batch(BatchModel model, int copies, int threads)
+    Batch(BatchModel model, int copies, int threads, bool is_pinned)
         : AnyBatch(std::move(model), copies),
           kernels_(best_kernels<T>()),
           view_(model_),
@@ -36,7 +36,7 @@ class Batch : public AnyBatch {
           groups_((copies + lanes_ - 1) / lanes_),
           state_(block_of(std::size_t(groups_) * group_numbers() * sizeof(T))),
           numbers_(model_.numbers.begin(), model_.numbers.end()),
-          crew_(threads)
+          crew_(threads, is_pinned)
     {
         for (int i = 0; i < crew_.size(); ++i) {
             work_.push_back(block_of(kernels_.work_size(view_)));
@@ -410,10 +410,10 @@ int AnyBatch::size_of(Quantity quantity) const
     }
 }
 
-std::unique_ptr<AnyBatch> make_batch(BatchModel model, int copies, bool doubles, int threads)
+std::unique_ptr<AnyBatch> make_batch(BatchModel model, int copies, bool doubles, int threads, bool is_pinned)
 {
-    if (doubles) return std::make_unique<Batch<double>>(std::move(model), copies, threads);
-    return std::make_unique<Batch<float>>(std::move(model), copies, threads);
+    if (doubles) return std::make_unique<Batch<double>>(std::move(model), copies, threads, is_pinned);
+    return std::make_unique<Batch<float>>(std::move(model), copies, threads, is_pinned);
 }
 
 }  // namespace epode::batch

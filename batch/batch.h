@@ -84,6 +84,7 @@ class AnyBatch {
 };
 
 // Throws std::bad_alloc.
-std::unique_ptr<AnyBatch> make_batch(BatchModel model, int copies, bool doubles, int threads);
+std::unique_ptr<AnyBatch> make_batch(BatchModel model, int copies, bool doubles, int threads,
+                                     bool is_pinned = false);
 
 }  // namespace epode::batch

@@ -4,14 +4,42 @@
 // See crew.h. A system that gives fewer threads gives a smaller crew.
 #include "batch/crew.h"
 
+#include <algorithm>
 #include <system_error>
+
+#ifdef __linux__
+#include <sched.h>
+#endif
 
 namespace epode::batch {
 
-Crew::Crew(int threads)
+namespace {
+
+#ifdef __linux__
+// To the number-th processor that may be used, counted round; a system that refuses leaves it anywhere.
+void pin(std::thread& thread, int number)
+{
+    cpu_set_t usable, its;
+    if (sched_getaffinity(0, sizeof usable, &usable) != 0) return;
+    int left = number % std::max(1, CPU_COUNT(&usable)), cpu = 0;
+    while (cpu < CPU_SETSIZE && (!CPU_ISSET(cpu, &usable) || left-- > 0)) ++cpu;
+    CPU_ZERO(&its);
+    CPU_SET(cpu, &its);
+    pthread_setaffinity_np(thread.native_handle(), sizeof its, &its);
+}
+#else
+void pin(std::thread&, int) {}
+#endif
+
+}  // namespace
+
+Crew::Crew(int threads, bool is_pinned)
 {
     try {
-        for (int i = 1; i < threads; ++i) helpers_.emplace_back([this, i] { help(i); });
+        for (int i = 1; i < threads; ++i) {
+            helpers_.emplace_back([this, i] { help(i); });
+            if (is_pinned) pin(helpers_.back(), i);
+        }
     } catch (const std::system_error&) {}
 }
 

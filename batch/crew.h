@@ -15,8 +15,9 @@ namespace epode::batch {
 
 class Crew {
   public:
-    // The caller works too; threads of at least 1.
-    explicit Crew(int threads);
+    // The caller works too; threads of at least 1. is_pinned: where the system can, each helper stays on a processor of its own among
+    // those that the process may use, the first of which is left to the caller.
+    explicit Crew(int threads, bool is_pinned = false);
     ~Crew();
     Crew(const Crew&) = delete;
     Crew& operator=(const Crew&) = delete;

@@ -37,10 +37,11 @@ bool is_between(dReal x, dReal low, dReal high) { return x >= low && x <= high; 
 
 bool are_good(const dBatchOptions& o)
 {
-    return o.struct_size == sizeof(dBatchOptions) && (o.doubles == 0 || o.doubles == 1) && o.threads >= 0 &&
-           o.threads <= 1024 && o.max_sweeps >= 1 && is_between(o.stepsize, dReal(1e-9), dReal(10)) &&
-           is_between(o.erp, 0, 1) && is_between(o.max_correction, 0, dReal(1e9)) &&
-           is_between(o.reach, 0, dReal(1e9)) && is_between(o.tolerance, 0, dReal(1e9));
+    return o.struct_size == sizeof(dBatchOptions) && (o.doubles == 0 || o.doubles == 1) &&
+           (o.pinned == 0 || o.pinned == 1) && o.threads >= 0 && o.threads <= 1024 && o.max_sweeps >= 1 &&
+           is_between(o.stepsize, dReal(1e-9), dReal(10)) && is_between(o.erp, 0, 1) &&
+           is_between(o.max_correction, 0, dReal(1e9)) && is_between(o.reach, 0, dReal(1e9)) &&
+           is_between(o.tolerance, 0, dReal(1e9));
 }
 
 void set_options(AnyBatch& batch, const dBatchOptions& from)
@@ -65,8 +66,8 @@ dBatchID create(dxRobotModel& model, int copies, const dBatchOptions& options)
         dMessage(d_ERR_UNKNOWN, "dBatchCreate: refused: %s", refusal.c_str());
         return nullptr;
     }
-    auto batch =
-        epode::batch::make_batch(std::move(compiled), copies, options.doubles == 1, threads_of(options));
+    auto batch = epode::batch::make_batch(std::move(compiled), copies, options.doubles == 1,
+                                          threads_of(options), options.pinned == 1);
     set_options(*batch, options);
     return Handles<dxBatch>::all().add(std::make_unique<dxBatch>(dxBatch{std::move(batch)}));
 }

@@ -43,6 +43,7 @@ typedef struct dBatchOptions {
     dReal reach;          /**< surfaces nearer than this are looked at in any case, m, 0 or more: 0.005 */
     dReal
         tolerance; /**< sweeps end when the last one changed no speed by more, m/s; 0: 1e-5 in floats, 1e-6 in doubles */
+    int pinned; /**< 1: each thread but the caller's stays on a processor of its own, where the system can: 0 */
 } dBatchOptions;
 
 /** Fills *options with defaults, and writes struct_size, which is sizeof(dBatchOptions), to it. Returns 1.

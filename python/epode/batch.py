@@ -13,6 +13,7 @@ True
 """
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, Literal
 
 import numpy as np
@@ -20,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _c
 from .errors import RefusedError
+from .recording import Recording
 from .robot import Model
 from .world import World
 
@@ -35,6 +37,31 @@ def _number_in(names: tuple[str, ...], name: str, what: str) -> int:
     return names.index(name)
 
 
+class _Film:
+    """Robots that stand where copies of a batch are, in a world that is never stepped."""
+
+    def __init__(self, batch: Batch, copies: list[int], spacing: float, title: str) -> None:
+        self._copies, self._world = copies, World()
+        side = max(1, int(np.ceil(np.sqrt(len(copies)))))
+        places = [(spacing * (i % side), spacing * (i // side), 0.0) for i in range(len(copies))]
+        self._robots = [batch.model.build(self._world, position=place) for place in places]
+        self._put(batch)
+        self.recording = Recording(self._world, title or batch.model.name)
+
+    @property
+    def is_running(self) -> bool:
+        return self.recording._world is not None
+
+    def take(self, batch: Batch, time: float) -> None:
+        self._put(batch)
+        self.recording._take(time, 0.0)
+
+    def _put(self, batch: Batch) -> None:
+        qpos, qvel = batch.read("qpos").astype(float), batch.read("qvel").astype(float)
+        for copy, robot in zip(self._copies, self._robots, strict=True):
+            robot.positions, robot.velocities = qpos[copy], qvel[copy]
+
+
 class Batch:
     """n copies of a model. Arrays have a row for each copy: qpos and qvel are coordinates and velocities as the model's ``joints``
     number them, ctrl the actuators' controls, act the activations of those with a filter, applied forces along the velocities; forces
@@ -46,16 +73,17 @@ class Batch:
 
     dtype: "float32" or "float64". threads: 0 for as many as the machine has. stepsize: s. erp, max_correction: the share of an
     overlap that a step takes back, and how fast. reach: surfaces nearer than this are looked at. tolerance: sweeps end when the last
-    one changed no speed by more, m/s; 0: 1e-5 in floats, 1e-6 in doubles."""
+    one changed no speed by more, m/s; 0: 1e-5 in floats, 1e-6 in doubles. pinned: each thread but the caller's stays on a processor of
+    its own, where the system can."""
 
     def __init__(self, model: Model, copies: int, *, dtype: Literal["float32", "float64"] = "float32", threads: int = 0,
                  stepsize: float = 0.002, erp: float = 0.2, max_correction: float = 2.0, reach: float = 0.005, tolerance: float = 0.0,
-                 max_sweeps: int = 200) -> None:
+                 max_sweeps: int = 200, pinned: bool = False) -> None:
         self.dtype = np.dtype(dtype)
         if self.dtype not in (np.dtype("float32"), np.dtype("float64")):
             raise ValueError(f"float32 or float64 is expected, not {self.dtype}")
         options = {"stepsize": stepsize, "erp": erp, "max_correction": max_correction, "reach": reach, "tolerance": tolerance,
-                   "max_sweeps": max_sweeps}
+                   "max_sweeps": max_sweeps, "pinned": pinned}
         self.model = model
         self.stepsize = stepsize
         self._arguments = {**options, "dtype": str(self.dtype), "threads": threads}
@@ -64,6 +92,7 @@ class Batch:
         except ValueError as problem:
             raise RefusedError(str(problem)) from None
         self._bound: dict[str, NDArray[Any]] = {}
+        self._films: list[_Film] = []
 
     def __repr__(self) -> str:
         return f"<Batch of {self.copies} {self.model.name!r}, {self.dtype}, {self.threads} threads>"
@@ -135,6 +164,9 @@ class Batch:
     def step(self, steps: int = 1) -> None:
         """Advance all copies. Other threads go on meanwhile; Ctrl-C ends it between two steps."""
         self._batch.step(steps)
+        self._films = [film for film in self._films if film.is_running]
+        for film in self._films:
+            film.take(self, steps * self.stepsize)
 
     def reset(self, mask: ArrayLike | None = None) -> None:
         """Puts copies back to the reference, at rest: those that the mask says, or all."""
@@ -171,6 +203,17 @@ class Batch:
             self.step(steps)
             qpos[:, time], qvel[:, time] = self.read("qpos"), self.read("qvel")
         return qpos, qvel
+
+    def record(self, copies: int | Sequence[int] = 0, *, spacing: float = 0.0, title: str = "") -> Recording:
+        """Begin to record copies: their state now, and one after each ``step``, until the recording's ``stop`` or the end of its ``with``
+        block. spacing: m between neighbours, in rows; 0: all are seen where they are, in one another."""
+        chosen = [copies] if isinstance(copies, int) else list(copies)
+        for copy in chosen:
+            if not 0 <= copy < self.copies:
+                raise IndexError(f"copy {copy}: the batch has {self.copies}")
+        film = _Film(self, chosen, spacing, title)
+        self._films.append(film)
+        return film.recording
 
     def world(self, copy: int) -> World:
         """A new world with the model's robot in the state of one copy, to look at or to go on with."""

@@ -33,7 +33,8 @@ BoundBatch* make(Model& m, int copies, bool doubles, int threads, const nb::dict
     if (!epode::batch::compile(m.prepared, compiled, refusal)) throw nb::value_error(refusal.c_str());
     auto out = std::make_unique<BoundBatch>();
     const int all = std::max(1, int(std::thread::hardware_concurrency()));
-    out->batch = epode::batch::make_batch(std::move(compiled), copies, doubles, threads > 0 ? threads : all);
+    out->batch = epode::batch::make_batch(std::move(compiled), copies, doubles, threads > 0 ? threads : all,
+                                          nb::cast<bool>(options["pinned"]));
     epode::batch::StepOptions& to = out->its().options();
     to.h = option(options, "stepsize", 1e-9, 10), to.erp = option(options, "erp", 0, 1);
     to.most_correction = option(options, "max_correction", 0, 1e9),

@@ -140,3 +140,42 @@ def test_the_interpreter_ends_while_batches_step():
     for _ in range(5):
         result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
         assert result.returncode == 0, result.stderr
+
+
+def test_rays_measure_heights(model):
+    batch = epode.Batch(model, 4, dtype="float64")
+    down = batch.rays("trunk", [(0, 0, -1), (0, 0, -2)], origins=[(0.5, 0, 0), (0, 0.7, 0.1)], axes="upright")
+    assert down.shape == (4, 2) and np.allclose(down, [0.6, 0.7])
+    shapes = np.empty((4, 1), np.int32)
+    assert np.isinf(batch.rays(1, [(0, 0, 1)], shapes=shapes)).all() and (shapes == -1).all()
+    batch.set("terrain", [0, 0, -0.25])
+    assert np.allclose(batch.rays(1, [(0, 0, -1)], origins=[(1, 1, 0)], axes="world"), 0.85)
+    for wrong in ([(0, 0, 0)], [(0, 1)], [(0, 0, np.nan)]):
+        with pytest.raises(ValueError):
+            batch.rays(1, wrong)
+    with pytest.raises(IndexError):
+        batch.rays(7, [(0, 0, 1)])
+
+
+def test_copies_are_recorded(model, tmp_path):
+    batch = epode.Batch(model, 9, stepsize=0.004)
+    batch.write("ctrl", np.linspace(-1, 1, 9)[:, None])
+    with batch.record([0, 8], spacing=2) as recording:
+        for _ in range(20):
+            batch.step(5)
+    batch.step(5)
+    assert len(recording) == 21 and abs(recording.times[-1] - 0.4) < 1e-9
+    bodies = recording.bodies(-1)
+    assert len(bodies) == 4 and abs(bodies[2, 0] - bodies[0, 0] - 2) < 0.5 and not np.allclose(bodies[0, 2:], bodies[2, 2:])
+    recording.save(tmp_path / "copies.epr")
+    assert len(epode.Recording.load(tmp_path / "copies.epr")) == 21
+    with pytest.raises(IndexError):
+        batch.record(9)
+
+
+def test_arrays_go_to_others_without_a_copy(model):
+    batch = epode.Batch(model, 3, pinned=True, threads=2)
+    qpos = batch.bind("qpos")
+    other = np.from_dlpack(qpos)
+    batch.step(5)
+    assert other.ctypes.data == qpos.ctypes.data and (other == batch.read("qpos")).all()

@@ -298,6 +298,7 @@ Value Values::batch_options(int argument, bool hostile)
     if (!hostile) return structure(argument, o, Trait::kFine);
     const int which = below(10);
     if (which == 0) o.struct_size = 4;
+    o.pinned = below(2);
     if (which == 1) o.doubles = 2;
     if (which == 2) o.threads = -1;
     if (which == 3) o.max_sweeps = 0;
