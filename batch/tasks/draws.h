@@ -23,7 +23,7 @@ struct Scratch {
     {
         std::size_t most = 0;
         for (const Start& start : task.starts) most = std::max(most, start.low.size());
-        drawn.reserve(most), most = 0;
+        drawn.reserve(most), most = 3;  // where a field is
         for (const Draw& draw : task.draws)
             most = std::max(most, std::size_t(size_of(model, draw.parameter)));
         values.reserve(most);
@@ -51,6 +51,24 @@ void draw_start(const Start& start, Random& random, Scratch<T>& scratch)
         T& value = (start.is_velocity ? scratch.velocities : scratch.positions)[std::size_t(start.first) + k];
         value = T(start.is_relative ? double(value) + x[k] : x[k]);
     }
+}
+
+inline void draw_commands(const Commands& commands, Random& random, double* to)
+{
+    const bool none = random.uniform() < commands.none;
+    for (std::size_t k = 0; k < commands.low.size(); ++k) {
+        const double x = random.uniform(commands.low[k], commands.high[k]);
+        to[k] = none ? 0 : x;
+    }
+}
+
+// The row that follows, of the curriculum; `moved`: how far the last episode led, below 0: there was none.
+inline int next_row(const Curriculum& its, int row, double moved, Random& random)
+{
+    const auto any_of = [&](int rows) { return std::min(rows - 1, int(random.uniform() * rows)); };
+    if (moved < 0) return any_of(std::min(its.first_rows, its.rows));
+    if (moved > its.up) return row + 1 < its.rows ? row + 1 : any_of(its.rows);
+    return moved < its.down ? std::max(0, row - 1) : row;
 }
 
 // What the parameter cannot be is drawn again; `models` are the numbers of the model.

@@ -15,7 +15,7 @@ struct Episode {
     std::uint64_t seed = 0;
     std::uint32_t number = 0;
     int steps = 0;
-    bool is_over = false;
+    bool is_over = false, is_first = true;
 };
 
 template <typename T>
@@ -45,6 +45,8 @@ class EnvironmentsOf : public Environments {
             batch_.read(parameter, 0, 1, draw_from_[i].data());
             batch_.write(parameter, 0, 1, draw_from_[i].data());  // copies have their own from now on
         }
+        const std::array<T, 3> nowhere{};
+        if (task_.curriculum.rows > 0) batch_.write(Parameter::kTerrain, 0, 1, nowhere.data());
     }
     ~EnvironmentsOf() override
     {
@@ -55,7 +57,7 @@ class EnvironmentsOf : public Environments {
     {
         for (int i = 0; i < batch_.copies(); ++i) {
             if (mask && !mask[i]) continue;
-            if (seed) episodes_[std::size_t(i)] = {*seed, 0, 0, false};
+            if (seed) episodes_[std::size_t(i)] = {*seed};
             begin(i, 0);
         }
         batch_.refresh(0, batch_.copies(), 0);
@@ -92,8 +94,10 @@ class EnvironmentsOf : public Environments {
     void watch(const Piece& piece)
     {
         if (piece.source == Piece::Source::kQuantity) watch(piece.quantity);
-        if (piece.source == Piece::Source::kPoint)
-            watch(Quantity::kLinkPositions), watch(Quantity::kLinkTurns);
+        if (piece.source == Piece::Source::kPoint) watch(Quantity::kLinkPositions);
+        if (piece.source == Piece::Source::kPoint || piece.source == Piece::Source::kDirection ||
+            piece.axes_of >= 0)
+            watch(Quantity::kLinkTurns);
     }
 
     void watch_all()
@@ -103,7 +107,12 @@ class EnvironmentsOf : public Environments {
         for (const Range& range : task_.healthy) watch(range.piece);
         for (const Term& term : task_.terms) watch(term.piece);
         arrays_.action_size = task_.choices.empty() ? std::size_t(batch_.model().controls) : 1;
-        arrays_.actions.resize(episodes_.size() * arrays_.action_size);
+        arrays_.actions.resize(episodes_.size() * arrays_.action_size),
+            arrays_.last_actions = arrays_.actions;
+        arrays_.command_size = task_.commands.low.size();
+        arrays_.commands.resize(episodes_.size() * arrays_.command_size);
+        arrays_.rows.resize(episodes_.size());
+        if (task_.curriculum.rows > 0) watch(Quantity::kPositions);
     }
 
     // Judges all before anything changes.
@@ -120,6 +129,7 @@ class EnvironmentsOf : public Environments {
             for (const Episode& episode : episodes_)
                 if (episode.is_over)
                     return "an episode has ended: reset it, with options={'reset_mask': ...}";
+        arrays_.actions.swap(arrays_.last_actions);
         std::copy_n(actions, arrays_.actions.size(), arrays_.actions.begin());
         std::vector<T> row(controls);
         for (int i = 0; i < batch_.copies(); ++i) {
@@ -175,6 +185,31 @@ class EnvironmentsOf : public Environments {
         out_.terminated[i] = out_.bad[i] || (task_.terminates && !healthy);
         out_.truncated[i] = task_.time_limit > 0 && episode.steps >= task_.time_limit;
         episode.is_over = out_.terminated[i] || out_.truncated[i];
+        if (task_.commands.steps > 0 && episode.steps % task_.commands.steps == 0) command(i);
+    }
+
+    void command(int i)
+    {
+        if (arrays_.command_size == 0) return;
+        Random random = random_of(i, Random::kCommands, std::uint32_t(episodes_[std::size_t(i)].steps));
+        draw_commands(task_.commands, random,
+                      arrays_.commands.data() + std::size_t(i) * arrays_.command_size);
+    }
+
+    // Puts the copy on a field of its row.
+    void choose_field(int i, Scratch<T>& scratch)
+    {
+        const Curriculum& its = task_.curriculum;
+        if (its.rows == 0) return;
+        const T* q = arrays_.row(Quantity::kPositions, i);
+        const double x = double(q[0]), y = double(q[1]);
+        const double moved = episodes_[std::size_t(i)].is_first ? -1 : std::sqrt(x * x + y * y);
+        Random random = random_of(i, Random::kParameters, std::uint32_t(Parameter::kTerrain));
+        double& row = arrays_.rows[std::size_t(i)];
+        row = next_row(its, int(row), moved, random);
+        const int column = std::min(its.columns - 1, int(random.uniform() * its.columns));
+        scratch.values.assign({T(-its.spacing * row), T(-its.spacing * column), T(0)});
+        batch_.write(Parameter::kTerrain, i, 1, scratch.values.data());
     }
 
     // Of a term its share of the reward; rates begin anew from here.
@@ -199,7 +234,12 @@ class EnvironmentsOf : public Environments {
         Episode& episode = episodes_[std::size_t(i)];
         Scratch<T>& scratch = scratch_[std::size_t(worker)];
         ++episode.number, episode.steps = 0, episode.is_over = false;
+        choose_field(i, scratch);
+        episode.is_first = false;
         batch_.reset_copy(i);
+        std::fill_n(arrays_.actions.begin() + std::ptrdiff_t(std::size_t(i) * arrays_.action_size),
+                    arrays_.action_size, 0.0);
+        command(i);
         for (std::size_t k = 0; k < task_.draws.size(); ++k) {
             Random random = random_of(i, Random::kParameters, std::uint32_t(task_.draws[k].parameter));
             draw_parameter(batch_, task_.draws[k], draw_from_[k], random, i, scratch);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "batch/lanes/angles.h"
+#include "batch/tasks/random.h"
 #include "batch/tasks/task.h"
 
 namespace epode::batch {
@@ -18,8 +19,8 @@ template <typename T>
 struct Arrays {
     std::array<std::vector<T>, std::size_t(Quantity::kCount)> of;
     std::array<std::size_t, std::size_t(Quantity::kCount)> sizes{};
-    std::vector<double> actions;
-    std::size_t action_size = 0;
+    std::vector<double> actions, last_actions, commands, rows;
+    std::size_t action_size = 0, command_size = 0;
 
     const T* row(Quantity quantity, int copy) const
     {
@@ -40,14 +41,15 @@ class Terms {
             return std::min(std::max(piece.scale * (x - piece.offset), piece.low), piece.high);
         };
         if (piece.source == Piece::Source::kQuantity && piece.function == Piece::Function::kNone &&
-            piece.minus < 0) {
+            piece.minus < 0 && piece.command < 0 && piece.axes_of < 0) {
             const T* row = arrays_.row(piece.quantity, copy) + piece.first;  // nearly all of most tasks
             for (int k = 0; k < piece.count; ++k) take(k, finished(double(row[k])));
             return;
         }
         for (int k = 0; k < piece.count; ++k) {
-            const double other = piece.minus < 0 ? 0 : raw(piece, copy, piece.minus + k);
-            take(k, finished(applied(piece.function, raw(piece, copy, piece.first + k) - other)));
+            const double other = piece.minus < 0 ? 0 : raw(piece, copy, piece.minus + k),
+                         wanted = piece.command < 0 ? 0 : command(copy, piece.command + k);
+            take(k, finished(applied(piece.function, raw(piece, copy, piece.first + k) - other - wanted)));
         }
     }
 
@@ -83,16 +85,58 @@ class Terms {
         if (term.kind == Term::Kind::kRate) return time > 0 ? (sum(term.piece, copy) - before) / time : 0;
         double squares = 0;
         each(term.piece, copy, [&](int, double x) { squares += x * x; });
+        if (term.kind == Term::Kind::kGaussian) return exponential(-squares / term.width);
         return term.kind == Term::Kind::kLength ? std::sqrt(squares) : squares;
+    }
+
+    double command(int copy, int number) const
+    {
+        return arrays_.commands[std::size_t(copy) * arrays_.command_size + std::size_t(number)];
     }
 
     double raw(const Piece& piece, int copy, int number) const
     {
-        const auto i = std::size_t(number);
-        if (piece.source == Piece::Source::kQuantity) return double(arrays_.row(piece.quantity, copy)[i]);
-        if (piece.source == Piece::Source::kAction)
-            return arrays_.actions[std::size_t(copy) * arrays_.action_size + i];
+        const auto i = std::size_t(number), action = std::size_t(copy) * arrays_.action_size + i;
+        switch (piece.source) {
+            case Piece::Source::kQuantity:
+                return piece.axes_of < 0 ? double(arrays_.row(piece.quantity, copy)[i])
+                                         : turned(piece, copy, number);
+            case Piece::Source::kAction:
+                return arrays_.actions[action];
+            case Piece::Source::kActionChange:
+                return arrays_.actions[action] - arrays_.last_actions[action];
+            case Piece::Source::kCommand:
+                return command(copy, number);
+            case Piece::Source::kRow:
+                return arrays_.rows[std::size_t(copy)];
+            case Piece::Source::kDirection:
+                return in_axes(copy, piece.link, piece.point, number);
+            case Piece::Source::kPoint:
+                break;
+        }
         return of_point(piece, copy, number);
+    }
+
+    // One of a quantity's three numbers from `first` on, in the axes of a link.
+    double turned(const Piece& piece, int copy, int number) const
+    {
+        const T* row = arrays_.row(piece.quantity, copy) + piece.first;
+        const double v[3] = {double(row[0]), double(row[1]), double(row[2])};
+        return in_axes(copy, piece.axes_of, v, number - piece.first);
+    }
+
+    // R' v: v - 2 w (u x v) + 2 u x (u x v), of a quaternion (w, u).
+    double in_axes(int copy, int link, const double* v, int axis) const
+    {
+        const T* q = arrays_.row(Quantity::kLinkTurns, copy) + 4 * link;
+        const double w = double(q[0]), u[3] = {double(q[1]), double(q[2]), double(q[3])};
+        double t[3];
+        for (int i = 0; i < 3; ++i) {
+            const int j = (i + 1) % 3, k = (i + 2) % 3;
+            t[i] = 2 * (u[j] * v[k] - u[k] * v[j]);
+        }
+        const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+        return v[axis] - w * t[axis] + (u[j] * t[k] - u[k] * t[j]);
     }
 
     // p + R r: r + 2 w (u x r) + 2 u x (u x r), of a quaternion (w, u).

@@ -76,7 +76,7 @@ typedef enum {
 
 /** Create a batch of `count` copies of the model, at the reference position and at rest. options may be NULL. The model may be
     destroyed afterwards. Destroy the batch with dBatchDestroy. Returns 0, with a message that names the element, when refused: a
-    model with errors; what a batch does not have (tendons with a path, loops); count below 1; options out of their ranges; too little memory. [ours] */
+    model with errors; what a batch does not have (tendons with a path, loops); count below 1; options out of bounds; too little memory. [ours] */
 ODE_API dBatchID dBatchCreate(dRobotModelID model, int count, const dBatchOptions* options);
 
 /** Destroys the batch. [ours] */

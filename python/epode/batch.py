@@ -57,7 +57,7 @@ class _Film:
         self.recording._take(time, 0.0)
 
     def _put(self, batch: Batch) -> None:
-        qpos, qvel = batch.read("qpos").astype(float), batch.read("qvel").astype(float)
+        qpos, qvel = batch._on_the_ground(), batch.read("qvel").astype(float)
         for copy, robot in zip(self._copies, self._robots, strict=True):
             robot.positions, robot.velocities = qpos[copy], qvel[copy]
 
@@ -204,6 +204,14 @@ class Batch:
             qpos[:, time], qvel[:, time] = self.read("qpos"), self.read("qvel")
         return qpos, qvel
 
+    def _on_the_ground(self) -> NDArray[np.float64]:
+        """qpos where the ground is the model's: what floats, moved against the terrain."""
+        qpos, terrain = self.read("qpos").astype(float), self.get("terrain").astype(float)
+        for joint in self.model.joints:
+            if joint.kind == "free":
+                qpos[:, joint.position:joint.position + 3] -= terrain
+        return qpos
+
     def record(self, copies: int | Sequence[int] = 0, *, spacing: float = 0.0, title: str = "") -> Recording:
         """Begin to record copies: their state now, and one after each ``step``, until the recording's ``stop`` or the end of its ``with``
         block. spacing: m between neighbours, in rows; 0: all are seen where they are, in one another."""
@@ -216,11 +224,12 @@ class Batch:
         return film.recording
 
     def world(self, copy: int) -> World:
-        """A new world with the model's robot in the state of one copy, to look at or to go on with."""
+        """A new world with the model's robot in the state of one copy, to look at or to go on with. Where the copy's terrain is moved,
+        what floats is moved the other way."""
         world = World(gravity=self.get("gravity")[copy].astype(float))
         world.use_defaults("robot")
         robot = self.model.build(world)
-        robot.positions = self.read("qpos")[copy].astype(float)
+        robot.positions = self._on_the_ground()[copy]
         robot.velocities = self.read("qvel")[copy].astype(float)
         robot.controls = self.read("ctrl")[copy].astype(float)
         return world

@@ -45,7 +45,7 @@ Piece piece_of(nb::handle t)
 {
     Piece out;
     if (t.is_none()) return out;
-    out.source = choice(item<int>(t, 0), Piece::Source::kPoint);
+    out.source = choice(item<int>(t, 0), Piece::Source::kRow);
     out.quantity = choice(item<int>(t, 1), Quantity(int(Quantity::kCount) - 1));
     out.first = item<int>(t, 2), out.count = item<int>(t, 3);
     out.function = choice(item<int>(t, 4), Piece::Function::kCosine);
@@ -53,16 +53,18 @@ Piece piece_of(nb::handle t)
     out.low = item<double>(t, 7), out.high = item<double>(t, 8);
     for (int k = 0; k < 3; ++k) out.point[k] = item<double>(t, 9 + k);
     out.link = item<int>(t, 12), out.minus = item<int>(t, 13);
+    out.command = item<int>(t, 14), out.axes_of = item<int>(t, 15);
     return out;
 }
 
 Term term_of(nb::handle t)
 {
     Term out;
-    out.kind = choice(item<int>(t, 0), Term::Kind::kLength);
+    out.kind = choice(item<int>(t, 0), Term::Kind::kGaussian);
     out.piece = piece_of(t[1]);
     out.weight = item<double>(t, 2), out.low = item<double>(t, 3), out.high = item<double>(t, 4);
     out.column = item<int>(t, 5), out.is_reward = item<bool>(t, 6), out.at_reset = item<bool>(t, 7);
+    out.width = item<double>(t, 8);
     return out;
 }
 
@@ -87,6 +89,17 @@ Draw draw_of(nb::handle t)
             item<double>(t, 5)};
 }
 
+Commands commands_of(nb::handle t)
+{
+    return {item<Reals>(t, 0), item<Reals>(t, 1), item<int>(t, 2), item<double>(t, 3)};
+}
+
+Curriculum curriculum_of(nb::handle t)
+{
+    return {item<int>(t, 0),    item<int>(t, 1),    item<int>(t, 2),
+            item<double>(t, 3), item<double>(t, 4), item<double>(t, 5)};
+}
+
 template <typename X>
 std::vector<X> all_of(const nb::dict& from, const char* name, X (*one)(nb::handle))
 {
@@ -100,7 +113,8 @@ Task task_of(const nb::dict& from)
     Task out;
     out.observation = all_of(from, "observation", piece_of), out.terms = all_of(from, "terms", term_of);
     out.healthy = all_of(from, "healthy", range_of), out.starts = all_of(from, "starts", start_of);
-    out.draws = all_of(from, "draws", draw_of);
+    out.draws = all_of(from, "draws", draw_of), out.commands = commands_of(from["commands"]);
+    out.curriculum = curriculum_of(from["curriculum"]);
     out.noise = nb::cast<Reals>(from["noise"]), out.choices = nb::cast<Reals>(from["choices"]);
     out.columns = nb::cast<int>(from["columns"]), out.frame_skip = nb::cast<int>(from["frame_skip"]);
     out.time_limit = nb::cast<int>(from["time_limit"]), out.terminates = nb::cast<bool>(from["terminates"]);
@@ -112,23 +126,53 @@ void expect(bool good, const char* what)
     if (!good) throw nb::value_error(what);
 }
 
-void check(const Piece& its, const AnyBatch& batch, size_t actions)
+// How many numbers the source of a piece has.
+int size_of(const Piece& its, const AnyBatch& batch, size_t actions, size_t commands)
 {
-    int size = batch.size_of(its.quantity);
-    if (its.source == Piece::Source::kAction) size = int(actions);
-    if (its.source == Piece::Source::kPoint) size = 3;
+    switch (its.source) {
+        case Piece::Source::kQuantity:
+            return batch.size_of(its.quantity);
+        case Piece::Source::kAction:
+        case Piece::Source::kActionChange:
+            return int(actions);
+        case Piece::Source::kCommand:
+            return int(commands);
+        case Piece::Source::kRow:
+            return 1;
+        case Piece::Source::kPoint:
+        case Piece::Source::kDirection:
+            return 3;
+    }
+    return 0;
+}
+
+void check(const Piece& its, const AnyBatch& batch, size_t actions, size_t commands)
+{
+    const int size = size_of(its, batch, actions, commands), links = int(batch.model().links.size());
+    expect(its.command < 0 || its.command <= int(commands) - its.count,
+           "a task asks for commands that it has not");
+    expect(its.axes_of < links &&
+               (its.axes_of < 0 || (its.count <= 3 && its.first <= size - 3 && its.minus < 0)),
+           "axes_of: a link, and up to three numbers of a vector are expected");
     expect(its.first >= 0 && its.count >= 0 && its.first <= size - its.count && its.minus <= size - its.count,
            "a task asks for numbers that a copy has not");
-    expect(its.link >= 0 && its.link < int(batch.model().links.size()),
-           "a task asks for a link that is not there");
+    expect(its.link >= 0 && its.link < links, "a task asks for a link that is not there");
 }
 
 void check(const Task& its, const AnyBatch& batch, size_t actions)
 {
-    for (const Piece& piece : its.observation) check(piece, batch, actions);
-    for (const Range& range : its.healthy) check(range.piece, batch, actions);
+    const size_t commands = its.commands.low.size();
+    expect(commands == its.commands.high.size() && its.commands.steps >= 0,
+           "commands: as many lows as highs are expected");
+    const Curriculum& fields = its.curriculum;
+    expect(fields.rows >= 0 && (fields.rows == 0 || (fields.columns >= 1 && fields.first_rows >= 1 &&
+                                                     fields.spacing > 0 && batch.model().positions >= 2)),
+           "curriculum: rows, columns and first_rows of 1 or more and a spacing above 0 are expected");
+    for (const Piece& piece : its.observation) check(piece, batch, actions, commands);
+    for (const Range& range : its.healthy) check(range.piece, batch, actions, commands);
     for (const Term& term : its.terms) {
-        check(term.piece, batch, actions);
+        check(term.piece, batch, actions, commands);
+        expect(term.width > 0, "width: a number above 0 is expected");
         expect(term.column >= -1 && term.column < its.columns, "a task has a term of no column");
     }
     for (const Start& start : its.starts) {

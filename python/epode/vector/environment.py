@@ -182,7 +182,7 @@ def make(task: str, num_envs: int = 1, *, autoreset_mode: AutoresetMode | str = 
          observation_noise: float | Sequence[float] = 0.0, copy: bool = True, infos: bool = True, first: int = 0, xml_file: str | None = None,
          render_mode: str | None = None, batch_options: Mapping[str, Any] | None = None, **arguments: Any) -> VectorEnvironment:
     """A vector of environments: Ant, HalfCheetah, Humanoid, Hopper, Walker2d, Swimmer, Reacher, Pusher,
-    InvertedPendulum, InvertedDoublePendulum, CartPole.
+    InvertedPendulum, InvertedDoublePendulum, CartPole, Quadruped, RoughQuadruped.
 
     autoreset_mode: Gymnasium's. max_episode_steps: 0 for no limit. dtype: of the batch and of observations. threads: 0 for all.
     randomise: parameters of the model (epode.Batch.set) that each episode draws, ``{"friction": ("uniform", 0.4, 1.2)}`` or
@@ -194,7 +194,7 @@ def make(task: str, num_envs: int = 1, *, autoreset_mode: AutoresetMode | str = 
     if render_mode is not None:
         raise ValueError("a vector of environments shows nothing: env.batch.world(i) is a copy to look at")
     described, source, limit = TASKS[task]
-    text = _text_of(xml_file or source)
+    text = _text_of(xml_file or (source if isinstance(source, str) else source()))
     model = robot.from_text(text, keep_fixed=True)
     made = described(model, **arguments).varied(randomise or {}, observation_noise)
     limit = limit if max_episode_steps is None else max_episode_steps

@@ -11,15 +11,18 @@ from typing import Any, Literal
 from ..batch import _PARAMETERS, _QUANTITIES
 
 Distribution = Sequence[Any]
-_SOURCES, _FUNCTIONS = ("quantity", "action", "point"), (None, "sin", "cos")
-_KINDS = ("constant", "healthy", "rate", "sum", "squares", "length")
+_SOURCES = ("quantity", "action", "point", "action_change", "command", "direction", "row")
+_FUNCTIONS = (None, "sin", "cos")
+_KINDS = ("constant", "healthy", "rate", "sum", "squares", "length", "gaussian")
 
 
 @dataclass(frozen=True)
 class Piece:
     """``count`` numbers of a quantity of batches (epode.Batch.bind) from ``first`` on, or of ``"action"``, each as
-    clip(scale * (function(x) - offset), low, high); with ``minus`` less those from there on. Of ``"point"`` they are the coordinates of a
-    point of a link."""
+    clip(scale * (function(x) - offset), low, high); with ``minus`` less those from there on, with ``command`` less the commands from there
+    on, with ``axes_of`` of a vector that begins at ``first``, in that link's axes. Of ``"point"`` they are the coordinates of a point of a
+    link, of ``"direction"`` a direction of the world in the axes of a link, of ``"action_change"`` what the action differs by from the last
+    one, of ``"command"`` what the episode asks for, of ``"row"`` the row of the curriculum."""
 
     quantity: str
     first: int = 0
@@ -32,32 +35,36 @@ class Piece:
     link: int = 0
     point: tuple[float, float, float] = (0.0, 0.0, 0.0)
     minus: int = -1
+    command: int = -1
+    axes_of: int = -1
 
     def _packed(self) -> tuple[Any, ...]:
         source = self.quantity if self.quantity in _SOURCES else "quantity"
         quantity = _QUANTITIES.index(self.quantity) if source == "quantity" else 0
         return (_SOURCES.index(source), quantity, self.first, self.count, _FUNCTIONS.index(self.function), float(self.offset),
-                float(self.scale), float(self.low), float(self.high), *map(float, self.point), self.link, self.minus)
+                float(self.scale), float(self.low), float(self.high), *map(float, self.point), self.link, self.minus, self.command, self.axes_of)
 
 
 @dataclass(frozen=True)
 class Term:
     """A part of the reward, or of the infos alone: clip(weight * f(of), low, high). ``kind`` is f: ``constant`` 1; ``healthy`` 1
-    where the copy is; ``rate`` of a number over the step; ``sum``; ``squares``, summed; ``length``. Terms of one name are one info."""
+    where the copy is; ``rate`` of a number over the step; ``sum``; ``squares``, summed; ``length``; ``gaussian`` exp(-squares / width).
+    Terms of one name are one info."""
 
     name: str
-    kind: Literal["constant", "healthy", "rate", "sum", "squares", "length"]
+    kind: Literal["constant", "healthy", "rate", "sum", "squares", "length", "gaussian"]
     of: Piece | None = None
     weight: float = 1.0
     low: float = -math.inf
     high: float = math.inf
     is_reward: bool = True
     at_reset: bool = False
+    width: float = 1.0
 
     def _packed(self, columns: Sequence[str]) -> tuple[Any, ...]:
         piece = None if self.of is None else self.of._packed()
         return (_KINDS.index(self.kind), piece, float(self.weight), float(self.low), float(self.high), columns.index(self.name),
-                self.is_reward, self.at_reset)
+                self.is_reward, self.at_reset, float(self.width))
 
 
 @dataclass(frozen=True)
@@ -89,6 +96,36 @@ class Start:
 
 
 @dataclass(frozen=True)
+class Commands:
+    """What an episode asks for, as numbers: drawn when it begins and every ``steps`` steps (0: never again), all 0 in a share of draws."""
+
+    low: Sequence[float] = ()
+    high: Sequence[float] = ()
+    steps: int = 0
+    none: float = 0.0
+
+    def _packed(self) -> tuple[Any, ...]:
+        return [float(x) for x in self.low], [float(x) for x in self.high], self.steps, float(self.none)
+
+
+@dataclass(frozen=True)
+class Curriculum:
+    """Fields of a landscape, in rows of equal difficulty along x, a ``spacing`` each, m. An episode begins on its copy's row, in any
+    column: a row higher if the last one led farther than ``up``, m, a row lower if not as far as ``down``; after the last row in any. The
+    first begins below ``first_rows``."""
+
+    rows: int = 0
+    columns: int = 1
+    first_rows: int = 1
+    spacing: float = 8.0
+    up: float = 4.0
+    down: float = 2.0
+
+    def _packed(self) -> tuple[Any, ...]:
+        return self.rows, self.columns, self.first_rows, float(self.spacing), float(self.up), float(self.down)
+
+
+@dataclass(frozen=True)
 class Task:
     """An environment. ``choices``: of discrete actions the controls; none: actions are the controls. ``high``: bounds of the
     observation, either side; none: no bounds."""
@@ -103,6 +140,8 @@ class Task:
     high: Sequence[float] = ()
     draws: Sequence[tuple[Any, ...]] = field(default_factory=tuple)
     noise: Sequence[float] = ()
+    commands: Commands = Commands()
+    curriculum: Curriculum = Curriculum()
 
     def __post_init__(self) -> None:
         if not 1 <= self.frame_skip <= 1000000:
@@ -132,7 +171,8 @@ class Task:
                 "healthy": [(r.of._packed(), float(r.low), float(r.high), r.is_open) for r in self.healthy],
                 "starts": [start._packed() for start in self.starts], "draws": list(self.draws), "noise": list(self.noise),
                 "choices": [float(x) for row in self.choices for x in row], "columns": len(columns), "frame_skip": self.frame_skip,
-                "time_limit": time_limit, "terminates": self.terminates}
+                "time_limit": time_limit, "terminates": self.terminates, "commands": self.commands._packed(),
+                "curriculum": self.curriculum._packed()}
 
 
 def _draw(name: str, distribution: Distribution) -> tuple[Any, ...]:

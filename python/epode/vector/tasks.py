@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
-"""Gymnasium's tasks (version 5 of its MuJoCo environments), with its names of arguments: formulas of observations, rewards and ends. A
-task is a function of the model; models are files of the user's gymnasium package, or texts of ours."""
+"""Gymnasium's tasks (version 5 of its MuJoCo environments), with its names of arguments: formulas of observations, rewards and ends;
+and the list of all. A task is a function of the model; models are files of the user's gymnasium package, or texts of ours."""
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
 
 from ..robot import Model
+from . import quadruped
 from .task import Piece, Range, Start, Task, Term
 
 Bounds = tuple[float, float]
@@ -198,10 +199,11 @@ def cart_pole(model: Model, *, frame_skip: int = 1, sutton_barto_reward: bool = 
                 high=[2 * x, math.inf, 2 * angle, math.inf])
 
 
-# Of each environment the task, the model (a file of gymnasium's, or a text) and how many steps an episode has.
-TASKS: dict[str, tuple[Callable[..., Task], str, int]] = {
+# Of each environment the task, the model (a file of gymnasium's, a text, or what makes one) and how many steps an episode has.
+TASKS: dict[str, tuple[Callable[..., Task], str | Callable[[], str], int]] = {
     "Ant": (ant, "ant.xml", 1000), "HalfCheetah": (half_cheetah, "half_cheetah.xml", 1000), "Humanoid": (humanoid, "humanoid.xml", 1000),
     "Hopper": (hopper, "hopper.xml", 1000), "Walker2d": (walker2d, "walker2d_v5.xml", 1000), "Swimmer": (swimmer, "swimmer.xml", 1000),
     "Reacher": (reacher, "reacher.xml", 50), "Pusher": (pusher, "pusher_v5.xml", 100),
     "InvertedPendulum": (inverted_pendulum, "inverted_pendulum.xml", 1000),
-    "InvertedDoublePendulum": (inverted_double_pendulum, "inverted_double_pendulum.xml", 1000), "CartPole": (cart_pole, CART_POLE, 500)}
+    "InvertedDoublePendulum": (inverted_double_pendulum, "inverted_double_pendulum.xml", 1000), "CartPole": (cart_pole, CART_POLE, 500),
+    "Quadruped": (quadruped.quadruped, quadruped.model_text, 1000), "RoughQuadruped": (quadruped.rough_quadruped, quadruped.rough_text, 1000)}
