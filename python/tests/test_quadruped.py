@@ -56,14 +56,14 @@ def test_observations_and_rewards_are_what_the_task_says():
 
 def test_commands_change_and_follow_the_seed():
     env = vector("Quadruped", 300, command_steps=4, max_episode_steps=0)
-    told = [env.reset(seed=5)[0][:, 9:12]]
+    given = [env.reset(seed=5)[0][:, 9:12]]
     for _ in range(8):
-        told.append(env.step(np.zeros((300, 12)))[0][:, 9:12])
-    assert all((told[k] == told[0]).all() for k in range(4)) and (told[4] == told[7]).all()
-    assert (told[4] != told[0]).any(axis=1).mean() > 0.8 and (told[8] != told[4]).any(axis=1).mean() > 0.8
-    standing = (told[0] == 0).all(axis=1).mean()
+        given.append(env.step(np.zeros((300, 12)))[0][:, 9:12])
+    assert all((given[k] == given[0]).all() for k in range(4)) and (given[4] == given[7]).all()
+    assert (given[4] != given[0]).any(axis=1).mean() > 0.8 and (given[8] != given[4]).any(axis=1).mean() > 0.8
+    standing = (given[0] == 0).all(axis=1).mean()
     assert 0.04 < standing < 0.18
-    walking = told[0][(told[0] != 0).any(axis=1)]
+    walking = given[0][(given[0] != 0).any(axis=1)]
     assert (abs(walking) <= [1, 0.5, 1]).all() and abs(walking.mean(0)).max() < 0.1 and (walking.std(0) > [0.5, 0.25, 0.5]).all()
     assert (vector("Quadruped", 3).reset(seed=5)[0] == env.reset(seed=5)[0][:3]).all()
 

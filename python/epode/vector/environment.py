@@ -182,7 +182,7 @@ def make(task: str, num_envs: int = 1, *, autoreset_mode: AutoresetMode | str = 
          observation_noise: float | Sequence[float] = 0.0, copy: bool = True, infos: bool = True, first: int = 0, xml_file: str | None = None,
          render_mode: str | None = None, batch_options: Mapping[str, Any] | None = None, **arguments: Any) -> VectorEnvironment:
     """A vector of environments: Ant, HalfCheetah, Humanoid, Hopper, Walker2d, Swimmer, Reacher, Pusher,
-    InvertedPendulum, InvertedDoublePendulum, CartPole, Quadruped, RoughQuadruped.
+    InvertedPendulum, InvertedDoublePendulum, CartPole, Quadruped, RoughQuadruped, Lift.
 
     autoreset_mode: Gymnasium's. max_episode_steps: 0 for no limit. dtype: of the batch and of observations. threads: 0 for all.
     randomise: parameters of the model (epode.Batch.set) that each episode draws, ``{"friction": ("uniform", 0.4, 1.2)}`` or

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
-"""A walking robot of 12 joints that follows a velocity that it is told, on flat ground or on a landscape. The model is ours, of the size
+"""A walking robot of 12 joints that follows commanded velocities, on flat ground or on a landscape. The model is ours, of the size
 and mass of the quadrupeds that laboratories have: 12.5 kg, legs of 0.42 m. Its joints are 0 where it stands; an action moves the target of
 a servo by up to half a radian."""
 from __future__ import annotations
@@ -34,8 +34,8 @@ def _leg(name: str, front: int, left: int) -> str:
 def model_text(asset: str = "", ground: str = '<geom name="ground" type="plane" size="50 50 1"/>') -> str:
     """The robot's MJCF, on a ground."""
     kp, kd, reach = 30.0, 0.7, 0.5
-    servos = "".join(f'<general joint="{leg}_{part}" gainprm="{kp * reach}" biastype="affine" biasprm="0 {-kp} {-kd}" forcerange="{-most} {most}"/>'
-                     for leg in LEGS for part, most in (("hip", 24), ("thigh", 24), ("calf", 36)))
+    servos = "".join(f'<general joint="{leg}_{part}" gainprm="{kp * reach}" biastype="affine" biasprm="0 {-kp} {-kd}" forcerange="{-limit} {limit}"/>'
+                     for leg in LEGS for part, limit in (("hip", 24), ("thigh", 24), ("calf", 36)))
     return f"""<mujoco model="quadruped"><compiler angle="radian" autolimits="true"/><option timestep="0.004"/>
 <default><joint armature="0.01" damping="0.1"/><geom friction="0.8" contype="1" conaffinity="0"/><general ctrllimited="true" ctrlrange="-1 1"/></default>
 <asset>{asset}</asset><worldbody>{ground.replace('<geom ', '<geom contype="0" conaffinity="1" ')}

@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable
 
 from ..robot import Model
-from . import quadruped
+from . import lift, quadruped
 from .task import Piece, Range, Start, Task, Term
 
 Bounds = tuple[float, float]
@@ -206,4 +206,5 @@ TASKS: dict[str, tuple[Callable[..., Task], str | Callable[[], str], int]] = {
     "Reacher": (reacher, "reacher.xml", 50), "Pusher": (pusher, "pusher_v5.xml", 100),
     "InvertedPendulum": (inverted_pendulum, "inverted_pendulum.xml", 1000),
     "InvertedDoublePendulum": (inverted_double_pendulum, "inverted_double_pendulum.xml", 1000), "CartPole": (cart_pole, CART_POLE, 500),
-    "Quadruped": (quadruped.quadruped, quadruped.model_text, 1000), "RoughQuadruped": (quadruped.rough_quadruped, quadruped.rough_text, 1000)}
+    "Quadruped": (quadruped.quadruped, quadruped.model_text, 1000), "RoughQuadruped": (quadruped.rough_quadruped, quadruped.rough_text, 1000),
+    "Lift": (lift.lift, lift.model_text, 250)}
