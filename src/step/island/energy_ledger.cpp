@@ -69,11 +69,29 @@ void add_normal(bool soft, const RowWork& work, dEnergyLedger& to)
     (soft ? to.drives : to.impacts) += work.whole() - corrected;
 }
 
-void add_row(const Row& row, bool soft, const RowWork& work, dEnergyLedger& to)
+// The friction of one contact or joint: its impulse times its slips before and after, summed over its directions.
+struct Slip {
+    double before = 0, after = 0;
+    // Friction only ever brakes: of each slip what it opposes is its own, the rest that of what made the other slip.
+    void add_to(double& friction, double& rest) const
+    {
+        const double braked = 0.5 * (std::min(before, 0.0) + std::min(after, 0.0));
+        friction += braked, rest += 0.5 * (before + after) - braked;
+    }
+};
+
+void add_slip(const Row& row, const RowWork& work, Slip& slip, dEnergyLedger& to)
 {
-    const double whole = work.whole(), moved = double(work.p) * double(row.speed);
+    const double p = double(work.p), speed = double(row.speed);
+    to.drives += p * speed;
+    slip.before += p * (double(work.before) - speed), slip.after += p * (double(work.after) - speed);
+}
+
+void add_row(const Row& row, bool soft, const RowWork& work, Slip& slip, dEnergyLedger& to)
+{
+    const double whole = work.whole();
     if (row.kind == RowKind::kFriction) {
-        to.drives += moved, to.friction += whole - moved;
+        add_slip(row, work, slip, to);
     } else if (row.kind != RowKind::kLock) {
         add_normal(soft || is_motor(row), work, to);
     } else if (soft) {
@@ -216,6 +234,7 @@ void EnergyLedger::add_rows(const IslandWork& work, const RowBlock& block, bool 
                             dEnergyLedger& to) const
 {
     const RowSystem& system = work.system;
+    Slip slip;
     for (int i = block.first; i < block.first + block.count; ++i) {
         const Row& row = system.rows[std::size_t(i)];
         const RowNumbers& n = system.numbers[std::size_t(i)];
@@ -223,9 +242,10 @@ void EnergyLedger::add_rows(const IslandWork& work, const RowBlock& block, bool 
         const Real d = inverse_effective_mass(system, block, row, system.bodies);
         const RowWork done{n.p, row_velocity(system, block, row, motion_),
                            row_velocity(system, block, row, system.bodies), correction_in(row, n.c, relaxed)};
-        add_row(row, is_soft(row, d, system.h), done, to);
+        add_row(row, is_soft(row, d, system.h), done, slip, to);
         to.drives += supply_of(system, block, row, n.p);
     }
+    slip.add_to(to.friction, block.contact ? to.impacts : to.joints);
 }
 
 void EnergyLedger::add_contacts(const IslandWork& work, const JointManifold& m, dEnergyLedger& to) const
@@ -241,18 +261,19 @@ void EnergyLedger::add_contacts(const IslandWork& work, const JointManifold& m, 
         static_cast<Jacobian&>(normal) = {m.n, cross(r1, m.n), -m.n, -cross(r2, m.n)};
         const SolverBody* const second = m.body2 < 0 ? nullptr : &system.bodies[std::size_t(m.body2)];
         const Real d = inverse_effective_mass(normal, system.bodies[std::size_t(m.body1)], second);
+        Slip slip;
         add_row(normal, is_soft(normal, d, system.h),
                 {point.p[0], dot(m.n, before.relative()), dot(m.n, after.relative()),
                  correction_in(normal, point.c, false)},
-                to);
+                slip, to);
         const Vec3 t[2] = {m.t1, m.t2};
         Row friction;
-        friction.kind = RowKind::kFriction;
         for (int k = 0; k < 2; ++k) {
             friction.speed = m.c[k];
-            add_row(friction, false,
-                    {point.p[k + 1], dot(t[k], before.relative()), dot(t[k], after.relative()), 0}, to);
+            add_slip(friction, {point.p[k + 1], dot(t[k], before.relative()), dot(t[k], after.relative()), 0},
+                     slip, to);
         }
+        slip.add_to(to.friction, to.impacts);
         to.drives += after.supply(point.p[0] * m.n + point.p[1] * m.t1 + point.p[2] * m.t2);
     }
 }
@@ -260,28 +281,35 @@ void EnergyLedger::add_contacts(const IslandWork& work, const JointManifold& m, 
 void EnergyLedger::add_manifold(const IslandWork& work, const ContactManifold& m, dEnergyLedger& to) const
 {
     const std::span<const SolverBody> bodies = work.system.bodies;
-    const Vec3 n = widen(m.normal), belt = widen(m.surface_velocity), couple = widen(m.rolling_impulse);
+    const Vec3 n = widen(m.normal), belt = widen(m.surface_velocity);
     const bool bounces = m.restitution > 0;
     for (int i = 0; i < m.count; ++i) {
         const ManifoldPoint& point = m.points[i];
         const Vec3 r1 = widen(point.r1), r2 = widen(point.r2), slide = widen(point.friction_impulse);
         const PointMotion before(motion_, m.body1, m.body2, r1, r2), after(bodies, m.body1, m.body2, r1, r2);
-        const Vec3 u = Real(0.5) * (before.relative() + after.relative());
         const Real p = Real(point.normal_impulse);
         const RowWork normal{p, dot(n, before.relative()), dot(n, after.relative()), bounces ? 0 : kInf};
         add_normal(m.compliance > 0, normal, to);
         to.drives += double(dot(slide, belt)) + after.supply(p * n + slide);
-        to.friction += double(dot(slide, u - belt));
+        Slip{double(dot(slide, before.relative() - belt)), double(dot(slide, after.relative() - belt))}
+            .add_to(to.friction, to.impacts);
     }
-    if (!(m.rolling_friction > 0)) return;
-    const auto spin = [&](int body) {
-        const auto at = std::size_t(body);
-        return body < 0 ? Vec3{} : Real(0.5) * (motion_[at].w + bodies[at].w);
+    if (m.rolling_friction > 0) add_rolling(bodies, m, to);
+}
+
+void EnergyLedger::add_rolling(std::span<const SolverBody> bodies, const ContactManifold& m,
+                               dEnergyLedger& to) const
+{
+    const Vec3 couple = widen(m.rolling_impulse);
+    const auto spin = [](std::span<const SolverBody> all, int body) {
+        return body < 0 ? Vec3{} : all[std::size_t(body)].w;
     };
     const auto driven = [&](int body) {
-        return body >= 0 && is_kinematic(bodies[std::size_t(body)]) ? spin(body) : Vec3{};
+        return body >= 0 && is_kinematic(bodies[std::size_t(body)]) ? spin(bodies, body) : Vec3{};
     };
-    to.friction += double(dot(couple, spin(m.body1) - spin(m.body2)));
+    Slip{double(dot(couple, spin(motion_, m.body1) - spin(motion_, m.body2))),
+         double(dot(couple, spin(bodies, m.body1) - spin(bodies, m.body2)))}
+        .add_to(to.friction, to.impacts);
     to.drives -= double(dot(couple, driven(m.body1) - driven(m.body2)));
 }
 

@@ -11,13 +11,22 @@
 // p_i u_i is depends on the kind of row:
 //
 //   motor, drive, spring, soft row        drives
-//   friction with surface speed s         p s: drives, the rest: friction
+//   friction with surface speed s         p s: drives, the rest as below
 //   stop, contact, no deeper than 0       impacts
 //   rigid joint                           joints
 //   of the last two, what the target c of error correction asks for:
 //                                         p (u0' + u1')/2, u' = u between 0 and c: correction
 //                                         (relaxed, without restitution: whatever opens a contact)
 //   kinematic body K, of every row        -p J_K v_K: drives. Its own energy does not count
+//
+// Friction brakes, so of its slips s0 = u0 - s and s1 = u1 - s only what it opposes is `friction`,
+//
+//   (min(p s0, 0) + min(p s1, 0))/2,     p s summed over the directions of a contact or a joint
+//
+// Where p s0 > 0, friction has acted on a slip that arose within the step: an oblique blow turns the slip, and the
+// normal impulse that does so works against friction. That work belongs to what made the slip: impacts, or joints
+// for friction in axes. (The mean of the slips, which is what is left of them at the end, made friction seem to
+// give energy: 11 J of 17 J in a fall.)
 //
 // Gravity works along the path, -(V1 - V0). Poses that change and leave the velocities alone (projection, bodies
 // stopped on their way, the corrections that substeps relax) are corrections too: T + V after less before. The
@@ -80,6 +89,7 @@ class EnergyLedger {
     void add_rows(const IslandWork& work, const RowBlock& block, bool relaxed, dEnergyLedger& to) const;
     void add_contacts(const IslandWork& work, const JointManifold& m, dEnergyLedger& to) const;
     void add_manifold(const IslandWork& work, const ContactManifold& m, dEnergyLedger& to) const;
+    void add_rolling(std::span<const SolverBody> bodies, const ContactManifold& m, dEnergyLedger& to) const;
     double energy_of_member(std::size_t i) const;
 
     const World& world_;

@@ -310,6 +310,43 @@ TEST_P(Ledger, of_a_stack_at_rest_is_empty)
     EXPECT_EQ(sum.drives + sum.joints + sum.damping + sum.forces, 0);
 }
 
+// A blow at an angle turns the slip that friction opposes: what it does against friction is its own. Bodies that fall
+// turned and spinning, under presets and in steps of any length.
+TEST_P(Ledger, friction_takes_and_never_gives)
+{
+    Random random(11);
+    for (const dDefaults preset : {dDefaultsOde, dDefaultsGame, dDefaultsRobot})
+        for (const double step_length : {1.0 / 30, 1.0 / 120, 1.0 / 1000})
+            for (int k = 0; k < 3; ++k) {
+                Sim rig;
+                ASSERT_EQ(dWorldUseDefaults(rig.world, preset), 1);
+                set_up(rig, GetParam());
+                rig.surface.mu = k == 2 ? dInfinity : real(0.5), rig.surface.mode = dContactApprox1;
+                const dGeomID floor = rig.ground();
+                const dBodyID body = k == 0   ? rig.box({0, 0, 1}, {0.3, 0.2, 0.4}, 1)
+                                     : k == 1 ? rig.capsule({0, 0, 1}, 0.1, 0.6, 1)
+                                              : rig.box({0, 0, 1}, {1, 0.2, 0.2}, 1);
+                set_material(floor, double(rig.surface.mu)),
+                    set_material(geom_of(body), double(rig.surface.mu));
+                dQuaternion q;
+                random.quaternion(q);
+                dBodySetQuaternion(body, q);
+                velocity(body, random.point(2), random.point(5));
+                double falling = 0;
+                Total sum;
+                for (double t = 0; t < 1.2; t += step_length) {
+                    step(rig, GetParam(), step_length);
+                    const dEnergyLedger l = ledger_of(rig);
+                    add(l, sum);
+                    falling = std::max(falling, l.kinetic_before);
+                    EXPECT_LE(l.friction, 0) << k << " " << step_length << " at " << t;
+                }
+                EXPECT_GT(falling, 5);
+                EXPECT_LT(sum.friction, -0.001 * falling);
+                EXPECT_LT(sum.friction + sum.impacts, -0.5 * falling) << "the floor has most of it";
+            }
+}
+
 // What blow-ups show first: depth becomes energy.
 TEST_P(Ledger, pushing_bodies_apart_is_correction)
 {
