@@ -74,10 +74,9 @@ TEST_P(Blows, give_no_energy)
     EXPECT_LT(largest, t.gain);
 }
 
-// With endless friction the worst of 120 throws is that of a tail: 0.0004 to 0.06 for six other seeds.
 INSTANTIATE_TEST_SUITE_P(Throws, Blows,
                          testing::Values(Throw{true, 1, 0, 0.002}, Throw{true, 1, 0.3, 0.002},
-                                         Throw{true, 1e9, 0, 0.07}, Throw{false, 1, 0, 0.005},
+                                         Throw{true, 1e9, 0, 0.005}, Throw{false, 1, 0, 0.005},
                                          Throw{false, 1, 0.3, 0.005}, Throw{false, 1e9, 0, 0.02}),
                          name_of);
 
