@@ -199,7 +199,8 @@ class Model:
     def constraints(self, positions: ArrayLike) -> tuple[FloatArray, FloatArray]:
         """What couplings and loops ask: how far they are from it, and the derivative of that by the velocities, a row each (one
         of a coupling, three of a loop, six of a welded one). Motions that keep them are those that the matrix maps to 0."""
-        return self._model.constraints(positions)
+        errors, slope = self._model.constraints(positions)
+        return (np.zeros(0) if errors is None else errors), slope  # None: there are none
 
     @property
     def tendon_names(self) -> list[str]:

@@ -308,6 +308,8 @@ class World(Object):
         take = _STEPS.get(stepper)
         if take is None:
             raise ValueError(f"no stepper is called {stepper!r}: {', '.join(_STEPS)}")
+        if steps < 0:
+            raise ValueError(f"steps is {steps}; 0 or more are expected")
         handle = self._handle
         for _ in range(steps):
             if self._recording is None:

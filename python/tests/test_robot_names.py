@@ -134,3 +134,9 @@ def test_constraints_are_those_of_the_coupling():
     assert abs(slope @ free)[0] < 1e-12
     with pytest.raises(ValueError):
         model.constraints([0.0])
+
+
+def test_constraints_of_a_model_that_has_none_are_empty():
+    model = robot.from_text("<mujoco><worldbody><body><joint axis='0 1 0'/><geom size='.1'/></body></worldbody></mujoco>")
+    errors, slope = model.constraints([0.0])
+    assert errors.shape == (0,) and slope.shape == (0, model.velocity_count)

@@ -311,6 +311,8 @@ def test_refusals_have_the_text_of_the_library(world):
         world.gravity = (0, float("nan"), 0)
     with pytest.raises(ValueError, match="stepper"):
         world.step(0.1, stepper="fast")
+    with pytest.raises(ValueError, match="steps is -5"):
+        world.step(0.1, steps=-5)
     count = len(world.bodies)
     with pytest.raises(epode.RefusedError):
         world.body(mass=-1, shape=epode.Sphere(1))
