@@ -50,6 +50,8 @@ typedef struct dWorldStepReport {
     int raised_bodies; /**< light links whose inertia the step has raised, since it is too long for their loads */
     double
         raised_residual; /**< natural residual with the inertias as they are; `residual` if none is raised */
+    dJointID unsolved_joint; /**< the worst joint that contradicts others; it may be gone since. 0: none */
+    int unsolved_joints;     /**< how many do; dWorldStep and exact hybrid islands */
 } dWorldStepReport;
 
 /** How an island was solved. */
@@ -88,6 +90,8 @@ typedef struct dIslandStepReport {
     double friction_error;      /**< see dWorldStepReport */
     int raised_bodies;          /**< see dWorldStepReport */
     double raised_residual;     /**< see dWorldStepReport */
+    dJointID unsolved_joint;    /**< see dWorldStepReport */
+    int unsolved_joints;        /**< see dWorldStepReport */
 } dIslandStepReport;
 
 /** - dWorldSetStepReportMode: Switch the report of steps on (mode 1) or off (0, the default). A report
@@ -138,8 +142,9 @@ typedef struct dEnergyLedger {
     double gravity;          /**< work of gravity along the path */
     double forces;           /**< work of the program's forces and torques */
     double drives; /**< of drives, motors, springs, all that is soft, moving surfaces and kinematic bodies */
-    double friction;    /**< of friction in contacts and axes */
-    double impacts;     /**< of normal forces of contacts and stops: what restitution leaves of an impact */
+    double friction;    /**< of friction in contacts and axes: never above 0 */
+    double impacts;     /**< of normal forces of contacts and stops, also against friction: what restitution
+                             leaves of an impact */
     double joints;      /**< of rigid joints: 0 but for errors of first order in the step, and for what a
                              joint takes when it seizes bodies in relative motion */
     double damping;     /**< of dBodySetLinearDamping and its like */

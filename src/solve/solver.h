@@ -43,6 +43,8 @@ struct SolveReport {
     int factorisations = 0;
     bool fallback = false;
     bool gave_up = false;     // there is no answer: it would have taken more work than it may
+    int unsolved_joint = -1;  // of exact solvers: a block, and how many (solve/common/stored_residual.h)
+    int unsolved_joints = 0;
     Real friction_error = 0;  // of exact solvers with Coulomb's friction (solve/exact/coulomb.h), relative
 };
 

@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "solve/common/cut_blocks.h"
+#include "solve/common/stored_residual.h"
 #include "solve/common/work_meter.h"
 #include "solve/exact/active_set.h"
 #include "solve/exact/coulomb.h"
@@ -208,14 +209,33 @@ bool solve_boxes(RowSystem& system, const SolverSettings& settings, Arena& arena
     return solve_large(system, settings, can_pivot(system), arena, report);
 }
 
-bool solve_direct(RowSystem& whole, const SolverSettings& settings, Arena& arena, SolveReport& report)
+bool solve_pieces(const RowSystem& whole, const SolverSettings& settings, Arena& arena, SolveReport& report)
 {
-    if (whole.rows.empty()) return true;
-    Arena::Scope scope(arena);
     RowSystem system = whole;
     if (!cut_blocks(system, arena)) return false;
     return system.coulomb ? solve_coulomb(solve_boxes, system, settings, arena, report)
                           : solve_boxes(system, settings, arena, report);
+}
+
+// As its caller sees it.
+void judge(const RowSystem& system, std::span<const SolverBody> before, SolveReport& report)
+{
+    const StoredResidual stored = stored_residual(system, before);
+    report.residual = std::max(report.residual, Real(stored.worst));
+    report.unsolved_joint = stored.worst_joint, report.unsolved_joints = stored.unsolved_joints;
+}
+
+bool solve_direct(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
+{
+    if (system.rows.empty()) return true;
+    Arena::Scope scope(arena);
+    if (!settings.want_residual) return solve_pieces(system, settings, arena, report);
+    const auto before = arena.take<SolverBody>(int(system.bodies.size()));
+    if (arena.failed()) return false;
+    std::copy(system.bodies.begin(), system.bodies.end(), before.begin());
+    if (!solve_pieces(system, settings, arena, report)) return false;
+    if (!report.gave_up) judge(system, before, report);
+    return true;
 }
 
 }  // namespace

@@ -96,9 +96,19 @@ void follow_contacts(IslandWork& first, IslandWork& work)
     });
 }
 
+// Of a joint of `work` among those of `first`.
+int block_in(const IslandWork& first, const IslandWork& work, int block)
+{
+    if (block < 0) return -1;
+    const auto at = std::find(first.joints.begin(), first.joints.end(), work.joints[std::size_t(block)]);
+    return at == first.joints.end() ? -1 : int(at - first.joints.begin());
+}
+
 void add(SolveReport& sum, const SolveReport& one)
 {
     sum.method = std::max(sum.method, one.method);
+    if (one.unsolved_joints > 0 && one.residual >= sum.residual) sum.unsolved_joint = one.unsolved_joint;
+    sum.unsolved_joints = std::max(sum.unsolved_joints, one.unsolved_joints);
     sum.residual = std::max(sum.residual, one.residual);
     sum.iterations += one.iterations;
     sum.factorisations += one.factorisations;
@@ -201,6 +211,7 @@ bool ExactSubsteps::next(IslandWork& first, const SolverSettings& settings, Solv
     load_warm_start(first, work);
     SolveReport one;
     if (!kDirect.solve(work.system, settings, arena_, one) || !sound(work.system, 0)) return false;
+    one.unsolved_joint = block_in(first, work, one.unsolved_joint);
     add(report, one);
     return true;
 }

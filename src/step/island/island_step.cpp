@@ -128,7 +128,7 @@ class IslandStep {
             sane = exact_substeps_.run(work_, raised_ > 0, settings, solved, projected_);
         for (std::size_t i = 0; i < reports.size(); ++i) {
             if (has_parts()) solved.residual = settings.part_residuals[i];
-            report_solution(solved, reports[i]);
+            report_solution(work_, solved, reports[i]);
         }
         if (sane && raised_ > 0 && knows_forces()) report_raised(work_.system, plain_, arena_, reports);
         return sane;

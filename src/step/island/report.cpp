@@ -68,7 +68,7 @@ void report_errors(const IslandWork& work, int part, dIslandStepReport& report)
     }
 }
 
-void report_solution(const SolveReport& solved, dIslandStepReport& report)
+void report_solution(const IslandWork& work, const SolveReport& solved, dIslandStepReport& report)
 {
     report.method = solved.method;
     report.residual = double(solved.residual);
@@ -77,6 +77,9 @@ void report_solution(const SolveReport& solved, dIslandStepReport& report)
     report.fallback = solved.fallback;
     report.friction_error = double(solved.friction_error);
     report.raised_residual = report.residual;
+    report.unsolved_joints = solved.unsolved_joints;
+    if (solved.unsolved_joint >= 0)
+        report.unsolved_joint = to_handle(work.joints[std::size_t(solved.unsolved_joint)]);
 }
 
 void report_raised(const RowSystem& system, std::span<const SolverBody> plain, Arena& arena,
@@ -129,6 +132,8 @@ dWorldStepReport sum_of(std::span<const dIslandStepReport> islands)
         total.bodies += one.bodies;
         total.joints += one.joints;
         total.rows += one.rows;
+        if (one.unsolved_joint && one.residual > total.residual) total.unsolved_joint = one.unsolved_joint;
+        total.unsolved_joints += one.unsolved_joints;
         total.residual = std::max(total.residual, one.residual);
         total.iterations += one.iterations;
         total.factorisations += one.factorisations;

@@ -16,7 +16,7 @@ namespace epode {
 
 void begin_report(const World& world, const Island& island, dIslandStepReport& report);
 void report_errors(const IslandWork& work, int part, dIslandStepReport& report);
-void report_solution(const SolveReport& solved, dIslandStepReport& report);
+void report_solution(const IslandWork& work, const SolveReport& solved, dIslandStepReport& report);
 // Of a solution with raised inertias: its residual with those of `plain`, which has all velocities after forces. Limits of friction are
 // not judged.
 void report_raised(const RowSystem& system, std::span<const SolverBody> plain, Arena& arena,

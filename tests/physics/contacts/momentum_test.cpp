@@ -168,7 +168,7 @@ INSTANTIATE_TEST_SUITE_P(Steppers, Balance,
 
 // About its own centre each body turns as the forces of its contacts say: exactly against what does not move, in
 // substeps, too. Between two bodies an inner step acts at a common point of then, which the two have moved off the
-// point that is told, and what corrects positions is taken back at another one: moments are off by that.
+// point that is reported, and what corrects positions is taken back at another one: moments are off by that.
 struct Method {
     const char* name;
     std::function<int(dWorldID)> step;

@@ -4,6 +4,8 @@
 // The step report against what is known of the scene: energies in closed form, errors as they were set up,
 // sums over islands, and structs of other sizes than today's.
 #include <algorithm>
+#include <tuple>
+#include <vector>
 
 #include "rig.h"
 
@@ -166,6 +168,96 @@ TEST_F(Report, of_a_size_that_no_version_has_is_refused)
     EXPECT_EQ(dWorldGetStepReport(sim.world, &r), 1);
     EXPECT_EQ(r.islands, 1);
 }
+
+// Equations without compliance that contradict each other have no solution: what an exact step leaves of them is in its
+// residual, and one of those that cause it is named. What else the island holds is not.
+// Parameters: what contradicts, and exact substeps.
+class Contradiction : public testing::TestWithParam<std::tuple<int, int>> {
+  protected:
+    Contradiction()
+    {
+        dWorldSetStepReportMode(sim.world, 1);
+        dWorldSetCFM(sim.world, 0);
+        dWorldSetExactSubsteps(sim.world, std::get<1>(GetParam()));
+        sim.gravity(0, 0, -9.81);
+    }
+    static int kind() { return std::get<0>(GetParam()); }
+    dJointID joined(dJointID joint, dBodyID a, dBodyID b)
+    {
+        dJointAttach(joint, a, b);
+        return joint;
+    }
+    dJointID ball(dBodyID a, dBodyID b, V3 at)
+    {
+        const dJointID joint = joined(dJointCreateBall(sim.world, nullptr), a, b);
+        dJointSetBallAnchor(joint, real(at.x), real(at.y), real(at.z));
+        return joint;
+    }
+    dJointID fixed(dBodyID a, dBodyID b)
+    {
+        const dJointID joint = joined(dJointCreateFixed(sim.world, nullptr), a, b);
+        dJointSetFixed(joint);
+        return joint;
+    }
+    // Two bodies fixed to each other twice, a rod between two anchors, a motor on a body that is fixed: `wrong` of them.
+    std::vector<dJointID> build(int kind, bool wrong)
+    {
+        const dBodyID a = sim.body({0, 0, 1}), b = sim.body({1, 0, 1}), other = sim.body({2, 0, 1});
+        bystander = ball(b, other, {1.5, 0, 1});
+        if (kind == 0) {
+            const dJointID first = fixed(a, b);
+            if (wrong) place(b, {1.1, 0, 1});
+            const dJointID second = fixed(a, b);
+            return {first, second};
+        }
+        if (kind == 1) {
+            const dJointID first = ball(a, nullptr, {-0.5, 0, 1}), middle = ball(a, b, {0.5, 0, 1}),
+                           last = ball(b, nullptr, {1.5, 0, 1});
+            if (wrong) place(a, {-0.1, 0, 1});
+            if (wrong) dJointSetBallAnchor(middle, real(0.4), 0, 1);
+            if (wrong) place(b, {1.1, 0, 1});
+            return {first, middle, last};
+        }
+        const dJointID hinge = joined(dJointCreateHinge(sim.world, nullptr), a, b);
+        dJointSetHingeAnchor(hinge, real(0.5), 0, 1);
+        dJointSetHingeAxis(hinge, 0, 0, 1);
+        dJointSetHingeParam(hinge, dParamVel, wrong ? 2 : 0);
+        dJointSetHingeParam(hinge, dParamFMax, dInfinity);
+        return {hinge, fixed(a, b)};
+    }
+    Sim sim;
+    dJointID bystander = nullptr;
+};
+
+TEST_P(Contradiction, is_in_the_residual_and_named)
+{
+    const std::vector<dJointID> all = build(kind(), true);
+    sim.advance(0.01);
+    const dWorldStepReport world = sim.report();
+    const dIslandStepReport one = island(sim, 0);
+    EXPECT_GT(world.residual, 0.01);
+    EXPECT_EQ(one.residual, world.residual);
+    EXPECT_EQ(one.contained, 0);
+    EXPECT_NE(std::find(all.begin(), all.end(), one.unsolved_joint), all.end());
+    EXPECT_EQ(world.unsolved_joint, one.unsolved_joint);
+    EXPECT_GE(one.unsolved_joints, 1);
+    EXPECT_LE(one.unsolved_joints, int(all.size()));
+    EXPECT_EQ(world.unsolved_joints, one.unsolved_joints);
+}
+
+TEST_P(Contradiction, is_not_seen_where_there_is_none)
+{
+    build(kind(), false);
+    for (int i = 0; i < 50; ++i) {
+        sim.advance(0.01);
+        const dWorldStepReport world = sim.report();
+        EXPECT_LT(world.residual, tol(1e-9, 1e-3)) << i;
+        EXPECT_EQ(world.unsolved_joint, nullptr);
+        EXPECT_EQ(world.unsolved_joints, 0);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Contradiction, testing::Combine(testing::Range(0, 3), testing::Values(1, 3)));
 
 TEST_F(Report, thread_counts_out_of_range_are_refused)
 {

@@ -418,8 +418,7 @@ double ExactProblem::residual_at(const BoxState& state, std::span<const double> 
         if (!(row.d > 0)) continue;
         const double p = state.p[i];
         const double w = jv(row, v.data()) + row.C * p - row.c;
-        const double clipped = std::min(std::max(p - w / row.d, state.lo[i]), state.hi[i]);
-        worst = std::max(worst, row.d * std::fabs(p - clipped));
+        worst = std::max(worst, std::fabs(violation_of(w, row.d, p, state.lo[i], state.hi[i])));
     }
     return worst / scale_;
 }

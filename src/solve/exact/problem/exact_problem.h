@@ -167,6 +167,13 @@ class ExactProblem {
            solve_work_ = 0;  // microseconds, with the passes over the rows that go with them
 };
 
+// d (p - clip(p - w/d, lo, hi)) without that difference: where rows contradict each other, impulses have any size, and w
+// may be below their rounding.
+inline double violation_of(double w, double d, double p, double lo, double hi)
+{
+    return std::min(std::max(w, d * (p - hi)), d * (p - lo));
+}
+
 inline double six_dot(const DoubleLane* a, const DoubleLane* b)
 {
     const DoubleLane s = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
