@@ -35,7 +35,8 @@ void set_touch(dGeomID geom, const Shape& shape, const Spring& spring, bool larg
     dGeomSetCollideBits(geom, shape.collide);
     dMaterial material;
     dMaterialInit(&material, sizeof material);
-    material.friction = dReal(shape.friction), material.rolling_friction = dReal(shape.rolling_friction);
+    material.friction = dReal(shape.friction);
+    material.rolling_friction = dReal(shape.dimensions >= 6 ? shape.rolling_friction : 0);
     if (spring.stiffness > 0) {
         material.compliance = dReal(1 / spring.stiffness);
         material.damping_time = dReal(spring.damping / spring.stiffness);

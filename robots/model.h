@@ -56,7 +56,9 @@ struct Shape {
     Vec size;        // sphere: radius; box, ellipsoid: half sizes; capsule, cylinder: radius, half length
     int mesh = -1;   // of hulls and triangles
     int field = -1;  // of heights
-    double friction = 1, rolling_friction = 0;
+    double friction = 1, torsional_friction = 0, rolling_friction = 0;  // the latter two in m
+    int dimensions =
+        3;  // of contact, MJCF's condim: 4 with torsion, 6 with rolling too; of a pair the larger counts
     Softness softness;
     std::uint32_t category = 1, collide = 1;
     float color[4] = {0.7f, 0.7f, 0.7f, 1};

@@ -23,7 +23,8 @@ bool fits(const Softness& s)
 }
 bool fits(const Shape& s)
 {
-    return fits(s.pose) && fits(s.size) && fits(s.friction) && fits(s.rolling_friction) && fits(s.softness);
+    return fits(s.pose) && fits(s.size) && fits(s.friction) && fits(s.torsional_friction) &&
+           fits(s.rolling_friction) && fits(s.softness);
 }
 bool fits(const FluidBox& box)
 {

@@ -84,6 +84,7 @@ class Mjcf {
     void coefficient(const Attributes& attributes, const char* name, double& out);
     void read_softness(const Attributes& attributes, const std::array<const char*, 2>& names,
                        Softness& softness);
+    void read_friction(const Attributes& attributes, Shape& shape);
     void read_geom(const Attributes& attributes, const Scope& scope, Inertia& of_geoms);
     bool read_size(const Attributes& attributes, const std::string& type, Shape& shape);
     bool read_mesh(const Attributes& attributes, const std::string& type, Shape& shape);

@@ -404,6 +404,22 @@ bool Mjcf::has_good_size(const Attributes& a, const std::string& type, Shape& sh
     return true;
 }
 
+void Mjcf::read_friction(const Attributes& a, Shape& shape)
+{
+    std::vector<double> values;
+    double* const all[] = {&shape.friction, &shape.torsional_friction, &shape.rolling_friction};
+    shape.torsional_friction = 0.005, shape.rolling_friction = 0.0001;
+    if (list(a, "friction", 1, 3, values))
+        for (size_t i = 0; i < values.size(); ++i) *all[i] = std::max(0.0, values[i]);
+    double condim = 3;
+    number(a, "condim", condim);
+    shape.dimensions = condim >= 6 ? 6 : condim >= 4 ? 4 : 3;
+    if (condim == 1) shape.friction = 0;
+    if (shape.dimensions == 4)
+        reading_.note_once(Note::kApproximated, a.element(),
+                           "condim 4: only batches have friction of torsion alone");
+}
+
 void Mjcf::read_geom(const Attributes& a, const Scope& scope, Inertia& of_geoms)
 {
     Shape shape;
@@ -412,15 +428,10 @@ void Mjcf::read_geom(const Attributes& a, const Scope& scope, Inertia& of_geoms)
     const std::string type = a.has("type") ? a.text("type") : "sphere";
     if (!read_size(a, type, shape)) return;
     shape.pose = scope.pose * shape.pose;
+    read_friction(a, shape);
     std::vector<double> values;
-    if (list(a, "friction", 1, 3, values)) {
-        shape.friction = std::max(0.0, values[0]);
-        if (values.size() > 2) shape.rolling_friction = std::max(0.0, values[2]);
-    }
-    double contype = 1, conaffinity = 1, condim = 3;
-    number(a, "contype", contype), number(a, "conaffinity", conaffinity), number(a, "condim", condim);
-    if (condim < 6) shape.rolling_friction = 0;
-    if (condim == 1) shape.friction = 0;
+    double contype = 1, conaffinity = 1;
+    number(a, "contype", contype), number(a, "conaffinity", conaffinity);
     shape.category = std::uint32_t(std::clamp(contype, 0.0, 4294967295.0));
     shape.collide = std::uint32_t(std::clamp(conaffinity, 0.0, 4294967295.0));
     if (list(a, "rgba", 4, 4, values))

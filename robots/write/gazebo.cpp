@@ -128,7 +128,7 @@ void GazeboWriter::write_friction(const Link& link, pugi::xml_node& element, con
     const bool one = has_one_friction(link);
     if (!one) losses_.add("a link's shapes have one friction in URDF");
     for (const Shape& shape : link.shapes)
-        if (shape.rolling_friction != 0 || shape.softness.stated || shape.category != 1 || shape.collide != 1)
+        if (shape.dimensions > 3 || shape.softness.stated || shape.category != 1 || shape.collide != 1)
             losses_.add("rolling friction, softness and categories of what touches are not in URDF");
     if (!one || link.shapes.empty() || link.shapes[0].friction == 1) return;
     element = element_of(name);

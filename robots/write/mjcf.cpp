@@ -266,8 +266,8 @@ std::string MjcfWriter::write_geom(Node body, const Shape& shape, bool touches)
     set(geom, "contype", touches ? double(shape.category) : 0),
         set(geom, "conaffinity", touches ? double(shape.collide) : 0);
     if (!touches) return name;
-    set(geom, "condim", shape.rolling_friction > 0 ? 6 : shape.friction > 0 ? 3 : 1);
-    set(geom, "friction", list_text({shape.friction, 0.005, shape.rolling_friction}));
+    set(geom, "condim", shape.dimensions > 3 || shape.friction > 0 ? shape.dimensions : 1);
+    set(geom, "friction", list_text({shape.friction, shape.torsional_friction, shape.rolling_friction}));
     write_softness(geom, "solref", "solimp", shape.softness);
     return name;
 }

@@ -98,7 +98,9 @@ class Models : Comparison {
              [&](const std::string& its, const Shape& x, const Shape& y) {
                  shape(its, x, y);
                  same(its + " friction", x.friction, y.friction),
-                     same(its + " rolling friction", x.rolling_friction, y.rolling_friction);
+                     same(its + " torsional friction", x.torsional_friction, y.torsional_friction),
+                     same(its + " rolling friction", x.rolling_friction, y.rolling_friction),
+                     same(its + " dimensions", x.dimensions, y.dimensions);
                  softness(its, x.softness, y.softness);
                  same(its + " category", x.category, y.category),
                      same(its + " collide", x.collide, y.collide);
