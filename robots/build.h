@@ -116,6 +116,11 @@ class Robot {
     std::vector<double> state() const;
     // False: numbers that state() does not return; nothing changes.
     bool set_state(const std::vector<double>& numbers);
+    // Of an actuator: how long what it moves is, times its gear, and how fast that grows.
+    struct Stroke {
+        double length, rate;
+    };
+    Stroke stroke(int actuator) const;
     // Before its gear, at the present positions and velocities; and what all of them exert along a joint with one axis.
     double actuator_force(int actuator) const;
     double actuators_force(int joint) const;

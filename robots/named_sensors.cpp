@@ -19,9 +19,12 @@ std::vector<double> list_of(Vec v) { return {v.x, v.y, v.z}; }
 std::vector<double> Sensors::read_joint(const Sensor& sensor) const
 {
     const RobotModel& model = robot_.model();
-    if (sensor.kind == "actuatorfrc") {
+    if (sensor.kind.starts_with("actuator")) {
         const int actuator = model.actuator_named(sensor.object);
-        return actuator < 0 ? std::vector<double>{} : std::vector{robot_.actuator_force(actuator)};
+        if (actuator < 0) return {};
+        if (sensor.kind == "actuatorfrc") return {robot_.actuator_force(actuator)};
+        const Robot::Stroke its = robot_.stroke(actuator);
+        return {sensor.kind == "actuatorpos" ? its.length : its.rate};
     }
     const int number = model.joint_named(sensor.object);
     if (number < 0) return {};
@@ -63,9 +66,31 @@ std::vector<double> Sensors::read_motion(const Sensor& sensor, const Frame& fram
                rotate(back, its.angular - from.angular)};
     }
     const Quat q = its.at.q;
+    if (sensor.kind == "framexaxis") return list_of(rotate(q, {1, 0, 0}));
+    if (sensor.kind == "frameyaxis") return list_of(rotate(q, {0, 1, 0}));
+    if (sensor.kind == "framezaxis") return list_of(rotate(q, {0, 0, 1}));
     if (sensor.kind == "framepos") return list_of(its.at.p);
     if (sensor.kind == "framequat") return {q.w, q.x, q.y, q.z};
     return list_of(sensor.kind == "frameangvel" ? its.angular : its.linear);
+}
+
+// Of a link and all that hangs on it: the centre of mass, or its velocity. Not of links that have become part of others.
+std::vector<double> Sensors::read_subtree(const Sensor& sensor, int root) const
+{
+    const auto& links = robot_.model().links;
+    if (links[size_t(root)].name != sensor.object) return {};
+    const std::vector<Motion> motions = motion_now();
+    std::vector<bool> hangs(links.size());
+    double mass = 0;
+    Vec sum;
+    for (size_t i = size_t(root); i < links.size(); ++i) {
+        hangs[i] = int(i) == root || (links[i].parent >= 0 && hangs[size_t(links[i].parent)]);
+        if (!hangs[i] || i == 0) continue;
+        const Motion& its = motions[i];
+        const Vec of = sensor.kind == "subtreecom" ? its.pose.p : rotate(its.pose.q, its.linear);
+        mass += links[i].mass, sum = sum + links[i].mass * of;
+    }
+    return mass > 0 ? list_of((1 / mass) * sum) : std::vector<double>{};
 }
 
 std::vector<double> Sensors::read(int number, dSpaceID space, std::string& problem) const
@@ -89,6 +114,7 @@ std::vector<double> Sensors::read(int number, dSpaceID space, std::string& probl
         const Vec its = sensor.kind == "force" ? first : second;
         return list_of(sensor.is_on_child ? -its : its);
     }
+    if (sensor.kind.starts_with("subtree")) return read_subtree(sensor, frame.link);
     if (sensor.kind == "touch") return {touch(frame.link).normal_force};
     if (sensor.kind != "rangefinder") return read_motion(sensor, frame);
     problem = "a space for a rangefinder's ray";

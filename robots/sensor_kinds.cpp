@@ -16,11 +16,14 @@ struct Kind {
     int values;
 };
 
-constexpr Kind kOfJoints[] = {{"jointpos", 1},    {"jointvel", 1}, {"jointactuatorfrc", 1},
-                              {"actuatorfrc", 1}, {"ballquat", 4}, {"ballangvel", 3}};
-constexpr Kind kOfFrames[] = {{"accelerometer", 3}, {"gyro", 3},        {"velocimeter", 3}, {"force", 3},
-                              {"torque", 3},        {"touch", 1},       {"rangefinder", 1}, {"framepos", 3},
-                              {"framequat", 4},     {"framelinvel", 3}, {"frameangvel", 3}};
+constexpr Kind kOfJoints[] = {{"jointpos", 1},    {"jointvel", 1},   {"jointactuatorfrc", 1},
+                              {"actuatorfrc", 1}, {"ballquat", 4},   {"ballangvel", 3},
+                              {"actuatorpos", 1}, {"actuatorvel", 1}};
+constexpr Kind kOfFrames[] = {
+    {"accelerometer", 3}, {"gyro", 3},        {"velocimeter", 3}, {"force", 3},
+    {"torque", 3},        {"touch", 1},       {"rangefinder", 1}, {"framepos", 3},
+    {"framequat", 4},     {"framelinvel", 3}, {"frameangvel", 3}, {"framexaxis", 3},
+    {"frameyaxis", 3},    {"framezaxis", 3},  {"subtreecom", 3},  {"subtreelinvel", 3}};
 
 template <size_t n>
 int find(const Kind (&kinds)[n], const std::string& name)

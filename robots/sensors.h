@@ -74,6 +74,7 @@ class Sensors {
     Vec gravity() const;
     std::vector<double> read_joint(const Sensor& sensor) const;
     std::vector<double> read_motion(const Sensor& sensor, const Frame& frame) const;
+    std::vector<double> read_subtree(const Sensor& sensor, int root) const;
 
     const Robot& robot_;
     dWorldID world_;

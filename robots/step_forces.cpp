@@ -217,7 +217,7 @@ double Robot::rate_of(const Path& path) const
     return rate;
 }
 
-double Robot::actuator_force(int actuator) const
+Robot::Stroke Robot::stroke(int actuator) const
 {
     const Actuator& a = model().actuators[size_t(actuator)];
     double place = 0, rate = 0;
@@ -234,8 +234,15 @@ double Robot::actuator_force(int actuator) const
         const Path path = path_of(tendon, link_poses());
         place = path.length, rate = rate_of(path);
     }
-    const double force = a.gain * inputs_[size_t(actuator)] + a.bias - a.bias_position * a.gear * place -
-                         a.bias_velocity * a.gear * rate;
+    return {a.gear * place, a.gear * rate};
+}
+
+double Robot::actuator_force(int actuator) const
+{
+    const Actuator& a = model().actuators[size_t(actuator)];
+    const Stroke its = stroke(actuator);
+    const double force = a.gain * inputs_[size_t(actuator)] + a.bias - a.bias_position * its.length -
+                         a.bias_velocity * its.rate;
     return std::clamp(force, a.force_low, a.force_high);
 }
 

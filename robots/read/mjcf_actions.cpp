@@ -232,7 +232,9 @@ bool Mjcf::read_line(const Attributes& a, std::array<double, 2>& line, Coupling&
     line = {c[0], c[1]};
     if (c[2] == 0 && c[3] == 0 && c[4] == 0) return true;
     coupling.polynomial.assign(c.begin() + 2, c.end());
-    reading_.note(Note::kApproximated, a.element(), "an equality of joints that is no straight line");
+    reading_.note(Note::kApproximated, a.element(),
+                  "an equality of joints that is no straight line: worlds hold its tangent at the reference, "
+                  "batches the curve");
     return true;
 }
 
