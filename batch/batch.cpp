@@ -177,18 +177,31 @@ class Batch : public AnyBatch {
 
     int row_of(Quantity quantity) const
     {
-        const int rows[] = {layout_.q,           layout_.v,          layout_.control,  layout_.applied,
-                            layout_.forces,      layout_.bad,        layout_.residual, layout_.sweeps,
-                            layout_.activations, observed_.position, observed_.turn,   observed_.velocity,
-                            observed_.inertia,   observed_.contact,  observed_.centre, observed_.actuator,
-                            observed_.constraint};
+        const int rows[] = {layout_.q,
+                            layout_.v,
+                            layout_.control,
+                            layout_.applied,
+                            layout_.forces,
+                            layout_.bad,
+                            layout_.residual,
+                            layout_.sweeps,
+                            layout_.activations,
+                            observed_.position,
+                            observed_.turn,
+                            observed_.velocity,
+                            observed_.inertia,
+                            observed_.contact,
+                            observed_.centre,
+                            observed_.actuator,
+                            observed_.constraint,
+                            observed_.sensor};
         return rows[int(quantity)];
     }
 
     static int what_of(Quantity quantity)
     {
         const bool is_of_step = quantity == Quantity::kLinkForces || quantity == Quantity::kConstraintForces;
-        return is_of_step ? kOfStep : kOfState;
+        return quantity == Quantity::kSensors ? kOfSensors : is_of_step ? kOfStep : kOfState;
     }
 
     T* observations(int worker) const { return static_cast<T*>(observations_[std::size_t(worker)].get()); }
@@ -405,6 +418,8 @@ int AnyBatch::size_of(Quantity quantity) const
             return 10 * int(model_.links.size());
         case Quantity::kCentre:
             return 3;
+        case Quantity::kSensors:
+            return model_.sensor_values;
         default:
             return 1;
     }

@@ -37,6 +37,7 @@ enum class Quantity {
     kCentre,
     kActuatorForces,
     kConstraintForces,
+    kSensors,
     kCount
 };
 constexpr bool is_observed(Quantity quantity) { return quantity >= Quantity::kLinkPositions; }

@@ -17,6 +17,8 @@ int size_of(const BatchModel& model, Parameter parameter)
         case Parameter::kMasses:
             return int(model.links.size());
         case Parameter::kFrictions:
+        case Parameter::kTorsions:
+        case Parameter::kRollings:
             return int(model.pairs.size());
         case Parameter::kGains:
             return model.controls;
@@ -37,6 +39,10 @@ int place_of(const BatchModel& model, Parameter parameter, int number)
             return model.links[i].first + link_number::kMass;
         case Parameter::kFrictions:
             return model.pairs[i].first + pair_number::kFriction;
+        case Parameter::kTorsions:
+            return model.pairs[i].first + pair_number::kTorsion;
+        case Parameter::kRollings:
+            return model.pairs[i].first + pair_number::kRolling;
         case Parameter::kGains:
             return model.actuators[i].first + actuator_number::kGain;
         case Parameter::kArmatures:
@@ -56,6 +62,8 @@ bool can_be(const BatchModel& model, Parameter parameter, int number, double val
         parameter == Parameter::kTerrain)
         return true;
     const auto i = std::size_t(number);
+    if (parameter == Parameter::kTorsions && model.pairs[i].first_turn < 0) return value == 0;
+    if (parameter == Parameter::kRollings && !model.pairs[i].rolls) return value == 0;
     const bool moves = parameter == Parameter::kMasses && model.links[i].last_dof >= 0;
     const double now = model.numbers[std::size_t(place_of(model, parameter, number))];
     return moves && now > 0 ? value > 0 : value >= 0;

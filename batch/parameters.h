@@ -17,12 +17,15 @@ enum class Parameter {
     kStiffnesses,
     kGains,
     kTerrain,
+    kTorsions,
+    kRollings,
     kCount
 };
 
 int size_of(const BatchModel& model, Parameter parameter);
 int place_of(const BatchModel& model, Parameter parameter, int number);
 // Masses of moving links are above 0, those of others 0 or more; gravity and gains any, the rest 0 or more; all below 1e15.
+// Frictions against turning of pairs without them are 0.
 bool can_be(const BatchModel& model, Parameter parameter, int number, double value);
 
 }  // namespace epode::batch

@@ -139,6 +139,16 @@ int dBatchGetSize(dBatchID batch, int quantity)
     return its->size_of(Quantity(quantity));
 }
 
+int dBatchGetSensor(dBatchID batch, int sensor, int* first)
+{
+    const AnyBatch* its = alive(batch);
+    CHECK(its && sensor >= 0 && sensor < int(its->model().sensors.size()),
+          "a batch and the number of a sensor of its model");
+    const epode::batch::BatchSensor& found = its->model().sensors[size_t(sensor)];
+    if (first) *first = found.address;
+    return found.values;
+}
+
 int dBatchRead(dBatchID batch, int quantity, int first, int count, void* numbers)
 {
     const AnyBatch* its = alive(batch);

@@ -61,10 +61,29 @@ struct Drives {
 
     P length_of(const BatchSum& sum) const
     {
+        const P out = total(sum.first_term, sum.terms);
+        return sum.curve < 0 ? out : out - bend_of(sum).value;
+    }
+
+    P total(int first, int count) const
+    {
         P out(0);
-        for (int k = sum.first_term; k < sum.first_term + sum.terms; ++k)
+        for (int k = first; k < first + count; ++k)
             out = out + numbers[model.sum_terms[k].factor] * q[model.sum_terms[k].position];
         return out;
+    }
+
+    // c2 x^2 + c3 x^3 + c4 x^4 and its derivative.
+    struct Bend {
+        P value, slope;
+    };
+    Bend bend_of(const BatchSum& sum) const
+    {
+        const auto c = [&](int power) { return numbers[sum.curve + curve_number::kFirst + power - 2]; };
+        const P x = total(sum.first_inner, sum.inner) - numbers[sum.curve + curve_number::kZero];
+        const P two(2), three(3), four(4);
+        return {x * x * (c(2) + x * (c(3) + x * c(4))),
+                x * (two * c(2) + x * (three * c(3) + x * (four * c(4))))};
     }
 
     // The sum's length, and what its own spring and damper ask for.
@@ -72,6 +91,7 @@ struct Drives {
     {
         const auto number = [&](int which) { return numbers[sum.first + which]; };
         its.length = length_of(sum);
+        if (sum.curve >= 0) its.slope = bend_of(sum).slope;
         const P k = number(sum_number::kStiffness);
         its.drive = {-k * (its.length - number(sum_number::kRest)), number(sum_number::kDamping) + h * k,
                      P(1)};
@@ -111,6 +131,12 @@ struct Drives {
         for (int i = sum.first_term; i < sum.first_term + sum.terms; ++i) {
             const SumTerm& term = model.sum_terms[i];
             to[term.dof] = to[term.dof] + numbers[term.factor] * force;
+        }
+        if (sum.curve < 0) return;
+        const P bent = bend_of(sum).slope * force;
+        for (int i = sum.first_inner; i < sum.first_inner + sum.inner; ++i) {
+            const SumTerm& term = model.sum_terms[i];
+            to[term.dof] = to[term.dof] - numbers[term.factor] * bent;
         }
     }
 

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // How the state of a group of copies lies in memory: rows of as many numbers as it has lanes, counted here;
-// `before` and `before_v` have the positions and velocities in which the last step began. Angular velocities of floating bases are in
+// `before` and `before_v` have the positions and velocities in which the last step began, accelerations what it gave. Angular velocities of floating bases are in
 // the world's axes there; whoever reads them in the link's turns them.
 #pragma once
 
@@ -11,7 +11,8 @@
 namespace epode::batch {
 
 struct GroupLayout {
-    int q, v, control, applied, forces, before, before_v, bad, residual, sweeps, activations, rows;
+    int q, v, control, applied, forces, before, before_v, bad, residual, sweeps, activations, accelerations,
+        rows;
 
     template <typename Model>
     EPODE_ALWAYS explicit GroupLayout(const Model& model)
@@ -26,7 +27,8 @@ struct GroupLayout {
           residual(bad + 1),
           sweeps(residual + 1),
           activations(sweeps + 1),
-          rows(activations + model.filters)
+          accelerations(activations + model.filters),
+          rows(accelerations + model.accelerations)
     {}
 };
 

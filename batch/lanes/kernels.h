@@ -20,7 +20,7 @@ struct Kernels {
     void (*make_work)(const ModelView&, const Asker&, void* work);
     // numbers: of the model, shared; or, if they are the copies' own, rows of lanes.
     void (*step)(const ModelView&, const StepOptions&, const T* numbers, bool own, T* group, void* work);
-    // Writes observations (observed.h) of a group, kOfState, kOfStep or both.
+    // Writes observations (observed.h) of a group, kOfState, kOfStep, kOfSensors or several.
     void (*observe)(const ModelView&, const StepOptions&, const T* numbers, bool own, T* group, void* work,
                     int what, T* rows);
 };

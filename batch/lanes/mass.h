@@ -104,14 +104,14 @@ void find_free_motion(const ModelView& model, const P* v, const P& h, Work<P>& w
 
 // v = L^-1 D^-1/2 z.
 template <typename P>
-void find_velocity(const ModelView& model, Work<P>& work)
+void find_velocity(const ModelView& model, const Work<P>& work, const P* z, P* v)
 {
     for (int i = 0; i < model.dofs.size(); ++i) {
         const Dof& dof = model.dofs[i];
         const int* chain = model.chains.first + dof.chain;
-        P sum = work.z[i] * work.root[i];
-        for (int k = 0; k < dof.depth; ++k) sum = sum - work.m[dof.row + k] * work.v[chain[k]];
-        work.v[i] = sum;
+        P sum = z[i] * work.root[i];
+        for (int k = 0; k < dof.depth; ++k) sum = sum - work.m[dof.row + k] * v[chain[k]];
+        v[i] = sum;
     }
 }
 

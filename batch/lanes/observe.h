@@ -3,7 +3,7 @@
 //
 // What can be observed of a group: a function of its rows alone, so that it can be had at any time and costs nothing where nobody asks.
 // Of the state: where links are and how they move, their inertias about C, the centre of mass of their tree, all in the world's axes;
-// forces of actuators. Of the last step: forces of contacts on links, torques about C, and of all constraints along dofs,
+// forces of actuators. Of the last step: forces of contacts and loops on links, torques about C, and of all constraints along dofs,
 //     J' f = S . (forces on the subtree) + limits + dry friction + couplings + limits of tendons,
 // with the poses and velocities in which that step began, for there they acted. Sums about O (work.h) become sums about C by
 //     v_C = v_O + w x c,     t_C = t_O - c x f,     J_C = J_O - m (x.x - x x') + m (d.d - d d'),    x = h / m,  d = x - c,  c = C - O.
@@ -138,7 +138,7 @@ struct Observe {
         for (int i = 0; i < model.velocities; ++i) work.torque[i] = work.added[i] = P(0);
         for (int i = 0; i < model.servos; ++i) work.servos[i] = {P(0), P(0), P(0)};
         for (int i = 0; i < model.sums.size(); ++i)
-            work.sums[i] = {now.length_of(model.sums[i]), {P(0), P(0), P(0)}};
+            work.sums[i] = {now.length_of(model.sums[i]), {P(0), P(0), P(0)}, P(0)};
         for (int i = 0; i < model.actuators.size(); ++i) {
             const BatchActuator& its = model.actuators[i];
             now.actuate(its, next.input(its, control[i]), work.servos);
@@ -174,14 +174,34 @@ struct Observe {
         const P zero(0);
         for (int i = 0; i < model.links.size(); ++i)
             work.link[i].force = {{zero, zero, zero}, {zero, zero, zero}};
-        points().place();
-        for (const BatchPair& pair : model.pairs) touch(pair);
+        add_forces();
         P* rows = out + to().contact;
         for (int i = 0; i < model.links.size(); ++i) {
             const Spatial<P>& its = work.link[i].force;
             put(rows + 6 * i, i == 0 ? its.w : its.w - cross(centre_of(i), its.v));
             put(rows + 6 * i + 3, its.v);
         }
+    }
+
+    // To the forces on links, about O.
+    void add_forces() const
+    {
+        points().place();
+        for (const BatchPair& pair : model.pairs) touch(pair);
+        for (const BatchLoop& loop : model.loops) tie(loop);
+    }
+
+    // What the loop has exerted on its links.
+    void tie(const BatchLoop& loop) const
+    {
+        const Loops<P, own> loops{model, numbers, options, before, work};
+        const P* f = forces + model.first_loop() + loop.row;
+        const Vec3Of<P> force{f[0], f[1], f[2]};
+        press(loop.link_a, loops.place(loop.link_a, loop.first_a), force);
+        press(loop.link_b, loops.place(loop.link_b, loop.first_b), P(-1) * force);
+        if (!loop.is_weld) return;
+        const Vec3Of<P> torque{f[3], f[4], f[5]};
+        twist(loop.link_a, torque), twist(loop.link_b, P(-1) * torque);
     }
 
     Points<P, own> points() const { return {model, numbers, options, work}; }
@@ -200,6 +220,10 @@ struct Observe {
             const Vec3Of<P> force = force_of(pair, work.normals[k], f);
             press(a, work.points[k], force);
             press(b, work.points[k] - apart, P(-1) * force);
+            if (pair.first_turn < 0) continue;
+            const Vec3Of<P> torque =
+                force_of(pair, work.normals[k], forces + model.first_turn() + 3 * (pair.first_turn + k));
+            twist(a, torque), twist(b, P(-1) * torque);
         }
     }
 
@@ -209,6 +233,11 @@ struct Observe {
         Vec3Of<P> one, two;
         tangents(normal, one, two);
         return f[0] * normal + f[1] * one + f[2] * two;
+    }
+
+    EPODE_LANEWISE void twist(int link, const Vec3Of<P>& torque) const
+    {
+        if (link != 0) work.link[link].force.w = work.link[link].force.w + torque;
     }
 
     EPODE_LANEWISE void press(int link, const Vec3Of<P>& at, const Vec3Of<P>& force) const

@@ -9,10 +9,10 @@
 namespace epode::batch {
 
 // What is to be found.
-enum : int { kOfState = 1, kOfStep = 2 };
+enum : int { kOfState = 1, kOfStep = 2, kOfSensors = 4 };
 
 struct ObservedLayout {
-    int position, turn, velocity, inertia, centre, actuator, contact, constraint, rows;
+    int position, turn, velocity, inertia, centre, actuator, contact, constraint, sensor, rows;
 
     // A BatchModel or a ModelView: links and dofs are counted by both.
     template <typename Model>
@@ -25,7 +25,8 @@ struct ObservedLayout {
           actuator(centre + 3),
           contact(actuator + model.velocities),
           constraint(contact + 6 * int(model.links.size())),
-          rows(constraint + model.velocities)
+          sensor(constraint + model.velocities),
+          rows(sensor + model.sensor_values)
     {}
 };
 

@@ -35,6 +35,7 @@ struct Direction {
     const P* y;
     P* const* z;
     int width;
+    const P* shares = nullptr;  // what loops have taken of it
 };
 
 template <typename P>
@@ -49,7 +50,8 @@ struct Singles {
                       const Law<P>& law) const
     {
         SingleRow<P>& row = work.singles[work.single_count++];
-        row.y = along.y, row.z = along.z, row.width = along.width, row.impulse = work.impulses + at;
+        row.y = along.y, row.z = along.z, row.width = along.width, row.shares = along.shares,
+        row.impulse = work.impulses + at;
         P square(0);
         for (int k = 0; k < row.width; ++k) square = square + row.y[k] * row.y[k];
         row.sign = sign, row.bias = law.bias, row.soft = law.soft;

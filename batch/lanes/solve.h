@@ -7,7 +7,8 @@
 // of z and, since z is affine in them, of the impulses alike; the next sweep projects. Each copy has its own theta and stops where no
 // row's last change would move its velocity by more than the tolerance. From then on nothing of it changes.
 // Friction is Coulomb's cone: where the tangents' block says that the contact sticks within the disc of radius mu n it does, else a
-// gradient step with the block's largest eigenvalue, back onto the disc; both keep the law's solution.
+// gradient step with the block's largest eigenvalue, back onto the disc; both keep the law's solution. So does friction against rolling;
+// that against turning about the normal is cut off at its bound.
 // Sources: Anderson, Iterative procedures for nonlinear integral equations, J. ACM 12, 1965; Jourdan, Alart, Jean, A Gauss-Seidel like
 // algorithm to solve frictional contact problems, Comput. Methods Appl. Mech. Eng. 155, 1998.
 #pragma once
@@ -16,6 +17,11 @@
 
 namespace epode::batch {
 namespace {
+
+template <typename P>
+struct Couple {
+    P s, t;
+};
 
 template <typename P>
 struct Solve {
@@ -39,10 +45,53 @@ struct Solve {
         return row.d * magnitude(asked);
     }
 
+    // Impulses of two directions with speeds u where they are s and t: those that end both speeds, or on the disc.
+    EPODE_LANEWISE static Couple<P> within(const Disc<P>& its, const P& s, const P& t, const P& u1,
+                                           const P& u2, const P& radius)
+    {
+        const P square = radius * radius;
+        const P stick1 = s - its.inverse * (its.c * u1 - its.b * u2),
+                stick2 = t - its.inverse * (its.a * u2 - its.b * u1);
+        const P slide1 = s - its.step * u1, slide2 = t - its.step * u2,
+                length2 = slide1 * slide1 + slide2 * slide2;
+        const P shrink = if_greater(length2, square, radius * inverse_or_zero(square_root(length2)), P(1));
+        const P stuck = if_positive(its.inverse, square - (stick1 * stick1 + stick2 * stick2), P(-1));
+        return {if_greater(P(0), stuck, shrink * slide1, stick1),
+                if_greater(P(0), stuck, shrink * slide2, stick2)};
+    }
+
+    // Turning about the normal, then rolling.
+    EPODE_LANEWISE P visit(const TurnRow<P>& row, const P& pace) const
+    {
+        P* const* zs = work.support_z + row.support->first;
+        const int width = row.support->width;
+        const P *y0 = row.y, *y1 = y0 + width, *y2 = y1 + width, zero(0);
+        const P n = at_least(zero, *row.normal), t0 = row.impulse[0], t1 = row.impulse[1],
+                t2 = row.impulse[2];
+        if (!any_positive(n + magnitude(t0) + magnitude(t1) + magnitude(t2))) return zero;
+        P u0(0), u1(0), u2(0);
+        for (int l = 0; l < width; ++l) u0 = u0 + y0[l] * *zs[l];
+        const P most = row.torsion * n, change = clip(t0 - row.mass * u0, -most, most) - t0,
+                g0 = if_positive(pace, pace * change, zero);
+        row.impulse[0] = t0 + g0;
+        for (int l = 0; l < width; ++l) {
+            P& z = *zs[l];
+            z = z + y0[l] * g0;
+            u1 = u1 + y1[l] * z, u2 = u2 + y2[l] * z;
+        }
+        if (!row.rolls) return row.d * magnitude(change);
+        const Couple<P> found = within(row.tangents, t1, t2, u1, u2, row.rolling * n);
+        const P d1 = found.s - t1, d2 = found.t - t2, g1 = if_positive(pace, pace * d1, zero),
+                g2 = if_positive(pace, pace * d2, zero);
+        row.impulse[1] = t1 + g1, row.impulse[2] = t2 + g2;
+        for (int l = 0; l < width; ++l) *zs[l] = *zs[l] + y1[l] * g1 + y2[l] * g2;
+        return at_least(row.d * magnitude(change), row.tangents.e * at_least(magnitude(d1), magnitude(d2)));
+    }
+
     EPODE_LANEWISE P visit(const ContactRow<P>& row, const P& pace) const
     {
         P* const* zs = work.support_z + row.support->first;
-        const int width = row.support->count();
+        const int width = row.support->width;
         const P *y0 = row.y, *y1 = y0 + width, *y2 = y1 + width, zero(0);
         P u0(0), u1(0), u2(0);
         for (int l = 0; l < width; ++l) u0 = u0 + y0[l] * *zs[l];
@@ -53,6 +102,7 @@ struct Solve {
             const P z = *zs[l];
             u1 = u1 + y1[l] * z, u2 = u2 + y2[l] * z;
         }
+        const Disc<P>& tangents = row.tangents;
         const P n = row.impulse[0], s = row.impulse[1], t = row.impulse[2];
         // Where it slides the tangents follow the normal: the normal's own problem is then d + mu e.n, e the direction of sliding.
         const P radius0 = row.friction * n,
@@ -63,16 +113,10 @@ struct Solve {
                 mass = if_positive(row.mass, P(1) / steep, zero);
         const P normal = at_least(zero, n - mass * (u0 - row.bias + row.soft * n)), dn = normal - n;
         const P follow = slides * dn, s0 = s + follow * s, t0 = t + follow * t, fs = s0 - s, ft = t0 - t;
-        u1 = u1 + row.n1 * dn + row.a * fs + row.b * ft, u2 = u2 + row.n2 * dn + row.b * fs + row.c * ft;
-        const P radius = row.friction * (n + dn), square = radius * radius;
-        const P stick1 = s0 - row.inverse * (row.c * u1 - row.b * u2),
-                stick2 = t0 - row.inverse * (row.a * u2 - row.b * u1);
-        const P slide1 = s0 - row.step * u1, slide2 = t0 - row.step * u2,
-                length2 = slide1 * slide1 + slide2 * slide2;
-        const P shrink = if_greater(length2, square, radius * inverse_or_zero(square_root(length2)), P(1));
-        const P stuck = if_positive(row.inverse, square - (stick1 * stick1 + stick2 * stick2), P(-1));
-        const P ds = if_greater(zero, stuck, shrink * slide1, stick1) - s,
-                dt = if_greater(zero, stuck, shrink * slide2, stick2) - t;
+        u1 = u1 + row.n1 * dn + tangents.a * fs + tangents.b * ft,
+        u2 = u2 + row.n2 * dn + tangents.b * fs + tangents.c * ft;
+        const Couple<P> found = within(tangents, s0, t0, u1, u2, row.friction * (n + dn));
+        const P ds = found.s - s, dt = found.t - t;
         const P gn = if_positive(pace, pace * dn, zero), gs = if_positive(pace, pace * ds, zero),
                 gt = if_positive(pace, pace * dt, zero);
         row.impulse[0] = n + gn, row.impulse[1] = s + gs, row.impulse[2] = t + gt;
@@ -80,7 +124,7 @@ struct Solve {
             P& z = *zs[l];
             z = z + y0[l] * gn + y1[l] * gs + y2[l] * gt;
         }
-        return at_least(row.d * magnitude(dn), row.e * at_least(magnitude(ds), magnitude(dt)));
+        return at_least(row.d * magnitude(dn), tangents.e * at_least(magnitude(ds), magnitude(dt)));
     }
 
     EPODE_LANEWISE P sweep(const P& pace) const
@@ -88,6 +132,7 @@ struct Solve {
         P worst(0);
         for (int i = 0; i < work.single_count; ++i) worst = at_least(visit(work.singles[i], pace), worst);
         for (int i = 0; i < work.contact_count; ++i) worst = at_least(visit(work.contacts[i], pace), worst);
+        for (int i = 0; i < work.turn_count; ++i) worst = at_least(visit(work.turns[i], pace), worst);
         return worst;
     }
 
@@ -98,6 +143,8 @@ struct Solve {
         for (int i = 0; i < work.single_count; ++i) each(int(work.singles[i].impulse - work.impulses));
         for (int i = 0; i < work.contact_count; ++i)
             for (int k = 0; k < 3; ++k) each(int(work.contacts[i].impulse - work.impulses) + k);
+        for (int i = 0; i < work.turn_count; ++i)
+            for (int k = 0; k < 3; ++k) each(int(work.turns[i].impulse - work.impulses) + k);
     }
 
     // work.before: z before the sweep; change: f of the sweep before; last: z after it.

@@ -8,6 +8,7 @@
 
 #include "batch/lanes/group.h"
 #include "batch/lanes/integrate.h"
+#include "batch/lanes/loops.h"
 #include "batch/lanes/mass.h"
 #include "batch/lanes/medium.h"
 #include "batch/lanes/rows.h"
@@ -66,7 +67,10 @@ struct Step {
         find_free_motion(model, v, h, work);
         Rows<P, own>{model, numbers, options, q, v, forces, work}.find();
         Solve<P>{model, options, work}.find();
-        find_velocity(model, work);
+        const Loops<P, own> loops{model, numbers, options, q, work};
+        if (model.loop_rows > 0) loops.find_impulses();
+        find_velocity(model, work, work.z, work.v);
+        if (model.loop_rows > 0) loops.close();
         finish(group, at, q, v, forces, h);
     }
 
@@ -90,8 +94,11 @@ struct Step {
         const P zero(0), rate(T(1 / options.h));
         for (int i = 0; i < model.positions; ++i) before[i] = q[i];
         for (int i = 0; i < model.velocities; ++i) before_v[i] = v[i];
-        integrate(model, work.v, h, q);
+        integrate(model, work.moving, h, q);
         const P good = goodness(bad, q);
+        P* accelerations = rows_at<P>(group, at.accelerations);
+        for (int i = 0; i < model.accelerations; ++i)
+            accelerations[i] = if_positive(good, rate * (work.v[i] - v[i]) + zero, zero);
         // Plus zero: a zero has one sign, whatever the neighbours' rows were.
         for (int i = 0; i < model.velocities; ++i) v[i] = if_positive(good, work.v[i] + zero, v[i]);
         for (int i = 0; i < model.positions; ++i) q[i] = if_positive(good, q[i] + zero, before[i]);

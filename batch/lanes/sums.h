@@ -2,12 +2,13 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Weighted sums of coordinates, s = sum f q: couplings hold one where it is, tendons pull on one with springs, dampers and servos, and
-// have limits. Their dofs may stand on different chains, which a spring would join in the mass matrix; so what depends on s is a row,
+// have limits. A coupling that is bent holds s - p(x), p the higher powers of another sum x, by its tangent at the present position. Their dofs may stand on different chains, which a spring would join in the mass matrix; so what depends on s is a row,
 //     F = F0 - (d + h k) ds/dt+,  J v + impulse / (h (d + h k)) = F0 / (d + h k),
 // and what does not is a torque on each dof.
 #pragma once
 
 #include "batch/lanes/drives.h"
+#include "batch/lanes/loops.h"
 #include "batch/lanes/singles.h"
 
 namespace epode::batch {
@@ -37,17 +38,33 @@ struct Sums {
     {
         P* y = work.sum_y + sum.support;
         const int* dofs = model.sum_dofs.first + sum.support;
-        if (work.sum_ready[&sum - model.sums.first]) return {y, work.sum_z + sum.support, sum.width};
-        work.sum_ready[&sum - model.sums.first] = true;
+        const int number = int(&sum - model.sums.first);
+        P* shares = sum.places < 0 ? nullptr : work.shares + model.loop_rows * (model.velocities + number);
+        const Direction<P> out{y, work.sum_z + sum.support, sum.width, shares};
+        if (work.sum_ready[number]) return out;
+        work.sum_ready[number] = true;
         P* x = work.scattered;
         for (int k = 0; k < sum.width; ++k) x[dofs[k]] = P(0);
         for (int k = sum.first_term; k < sum.first_term + sum.terms; ++k) {
             const SumTerm& term = model.sum_terms[k];
             x[term.dof] = x[term.dof] + numbers[term.factor];
         }
+        if (sum.curve >= 0) bend(sum, work.sums[number].slope, x);
         carry(sum, x);
         for (int k = 0; k < sum.width; ++k) y[k] = work.root[dofs[k]] * x[dofs[k]];
-        return {y, work.sum_z + sum.support, sum.width};
+        if (shares)
+            Loops<P, own>{model, numbers, options, q, work}.project(y, model.places.first + sum.places,
+                                                                    shares);
+        return out;
+    }
+
+    // The polynomial's part of J, at the present position.
+    void bend(const BatchSum& sum, const P& slope, P* x) const
+    {
+        for (int k = sum.first_inner; k < sum.first_inner + sum.inner; ++k) {
+            const SumTerm& term = model.sum_terms[k];
+            x[term.dof] = x[term.dof] - slope * numbers[term.factor];
+        }
     }
 
     // x = L^-T x, on those dofs: all ancestors of each are among them.

@@ -77,6 +77,13 @@ struct Placed {  // a shape, from its own tree's O
     EPODE_LANEWISE Vec3Of<P> axis() const { return {r.row0.z, r.row1.z, r.row2.z}; }
 };
 
+// Two directions whose impulses stay within a disc: what they do to one another.
+template <typename P>
+struct Disc {
+    P a, b, c, e;     // the block y.y of the two; its largest eigenvalue, 0 in copies that are far
+    P inverse, step;  // 1 / (a c - b^2), 1 / e
+};
+
 // A contact that is near in some copy.
 template <typename P>
 struct ContactRow {
@@ -84,9 +91,23 @@ struct ContactRow {
     P* y;                          // of normal and two tangents, one behind the other along the support
     P* impulse;                    // three
     P bias, soft, mass, friction;  // J v + soft impulse >= bias; 1 / mass = 1 / (y.y + soft)
-    P d, e;             // y.y + soft; the largest eigenvalue of the tangents' block, 0 in copies that are far
-    P a, b, c, n1, n2;  // that block, and normal times tangents
-    P inverse, step;    // 1 / (a c - b^2), 1 / e
+    P d, n1, n2;                   // y.y + soft; normal times tangents
+    Disc<P> tangents;
+    P* shares;  // what loops have taken of the three y (loops.h); null: nothing
+};
+
+// Friction of a contact against turning about its normal and rolling about its tangents: torques that lengths times its normal force
+// bound, the former by itself, the latter in a disc.
+template <typename P>
+struct TurnRow {
+    const Support* support;
+    P* y;
+    const P* normal;              // impulse
+    P* impulse;                   // three
+    P torsion, rolling, d, mass;  // the lengths; y.y of the normal, 0 in copies that are far, and 1 / it
+    Disc<P> tangents;
+    P* shares;
+    bool rolls;
 };
 
 // A row of one direction: a limit, dry friction, a limited servo, a sum of coordinates.
@@ -97,6 +118,7 @@ struct SingleRow {
     int width;
     P* impulse;
     P sign, bias, soft, d, mass, low, high;
+    const P* shares;
 };
 
 // What a limited servo of a dof asks for: force - gain v+, gain = d + h k. Where a row is wanted, wanted is 1.
@@ -110,6 +132,7 @@ template <typename P>
 struct SumWork {
     P length;
     ServoWork<P> drive;
+    P slope;  // of a bent coupling's polynomial
 };
 
 // All of it lies in one block of memory: laid out once to find its size, and once for good, for all steps.
@@ -136,12 +159,20 @@ struct Work {
     P* columns;  // y of single dofs, along their chains
     bool* has_column;
     ContactRow<P>* contacts;
+    TurnRow<P>* turns;
     SingleRow<P>* singles;
     P *impulses, *last_impulses;
-    P* gaps;  // of a pair's points
+    // Of loops (loops.h): E, R, 1 / its diagonal, what E has taken of z, how
+    // velocities back are damped and those along E; y of dofs that they widen, and what
+    // they have taken of all rows.
+    P *loop_y, *loop_r, *loop_inverse, *loop_taken, *loop_gain, *loop_back, *wide_y, *shares;
+    Vec3Of<P>* loop_axes;  // of rows, in the world
+    bool* has_wide;
+    P *moved, *moving;  // how positions move: so, or as v
+    P* gaps;            // of a pair's points
     Vec3Of<P>*points, *normals;
     Asker asker;
-    int contact_count, single_count, row_end;
+    int contact_count, turn_count, single_count, row_end;
     P worst, sweeps;  // residual at the end, sweeps taken
 
     EPODE_LANEWISE std::size_t lay_out(const ModelView& model, char* memory)
@@ -160,13 +191,20 @@ struct Work {
         place(placed, model.shapes.size()), place(before, dofs), place(last, dofs), place(change, dofs);
         int widest = 0;
         for (const BatchPair& pair : model.pairs)
-            widest += 3 * pair.slots * model.supports[pair.support].count();
+            widest += (pair.first_turn < 0 ? 3 : 6) * pair.slots * model.supports[pair.support].width;
         place(rows, widest), place(columns, model.entries), place(has_column, dofs);
-        place(contacts, model.slots),
+        place(contacts, model.slots), place(turns, model.turns),
             place(singles, model.limits + model.dry + model.servos + model.sum_rows);
         place(sums, model.sums.size()), place(sum_y, model.sum_dofs.size()), place(scattered, dofs),
             place(sum_z, model.sum_dofs.size()), place(sum_ready, model.sums.size());
         place(activations, model.filters);
+        const int rows_of_loops = model.loop_rows, held = rows_of_loops > 0 ? dofs : 0;
+        place(loop_y, rows_of_loops * model.loop_dofs.size()), place(loop_r, rows_of_loops * rows_of_loops),
+            place(loop_inverse, rows_of_loops), place(loop_taken, rows_of_loops),
+            place(loop_gain, rows_of_loops), place(loop_back, rows_of_loops), place(loop_axes, rows_of_loops),
+            place(moved, held), place(wide_y, model.wide), place(has_wide, held);
+        place(shares, rows_of_loops * (dofs + model.sums.size() + 3 * (model.slots + model.turns)));
+        moving = rows_of_loops > 0 ? moved : v;
         place(impulses, impulse_count), place(last_impulses, impulse_count);
         place(gaps, kMostPoints), place(points, kMostPoints), place(normals, kMostPoints);
         return end;

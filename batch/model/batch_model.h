@@ -56,6 +56,9 @@ enum : int { kTime, kLow, kHigh, kCount };
 namespace box_number {  // from kInertias on three of each, of moving along the axes; then of turning
 enum : int { kPlace = 0, kTurn = 3, kInertias = 7, kQuadratic = 10, kLinear = 13, kSpin = 9, kCount = 25 };
 }
+namespace curve_number {  // x = sum f q - kZero; kFirst x^2 + ...
+enum : int { kZero, kFirst, kCount = 4 };
+}
 namespace sum_number {
 enum : int { kLow, kHigh, kRest, kStiffness, kDamping, kForceLimit, kCount };
 }
@@ -63,7 +66,7 @@ namespace shape_number {
 enum : int { kPlace = 0, kTurn = 3, kSize = 7, kCount = 10 };
 }
 namespace pair_number {
-enum : int { kFriction, kStiffness, kDamping, kCount };  // stiffness 0: rigid
+enum : int { kFriction, kStiffness, kDamping, kTorsion, kRolling, kCount };  // stiffness 0: rigid
 }
 
 struct BatchLink {
@@ -88,6 +91,7 @@ struct Dof {
     int first = 0;
     bool is_limited = false, has_friction = false, is_scalar = false;
     int limit = -1, dry = -1, servo = -1;  // which warm impulse is whose
+    int wide = -1, wide_y = 0;  // the support of its rows that loops widen, and where y is; -1: its chain
 };
 
 struct BatchActuator {
@@ -108,10 +112,14 @@ struct SumTerm {
     int dof = 0, position = 0, factor = 0;  // factor: which number
 };
 
-// A weighted sum of coordinates: a coupling, which keeps it at its low end, or a tendon (lanes/sums.h).
+// A weighted sum of coordinates: a coupling, which keeps it at its low end, or a tendon (lanes/sums.h). A coupling may be bent: less a
+// polynomial of another sum.
 struct BatchSum {
     int first_term = 0, terms = 0;  // in sum_terms
-    int support = 0, width = 0;     // in sum_dofs: its dofs with their ancestors, ascending
+    int first_inner = 0, inner = 0,
+        curve = -1;              // of the other sum, and where its numbers are; -1: it is straight
+    int support = 0, width = 0;  // in sum_dofs: its dofs with their ancestors, ascending
+    int places = -1;             // of loops' dofs among them; -1: it moves none
     int first = 0;
     int stop = -1, drive = -1;  // which of the sums' rows keeps limits, which pulls
     bool is_equality = false;
@@ -141,16 +149,63 @@ struct BatchPair {
     PointKind kind = PointKind::kSpherePlane;
     int shape_a = 0, shape_b = 0, first = 0;
     int slots = 0, first_slot = 0;
+    int first_turn = -1;      // of its slots' friction against turning; -1: it has none
+    bool rolls = false;       // with friction against rolling
     int support = 0;          // of its rows, among all supports
     bool is_upright = false;  // a plane whose normal is z
     int asked = -1;           // which of those
 };
 
-// The dofs that a contact between two links moves: those that both have, whose own effects cancel, then those of one and of the other.
+// The dofs that a contact between two links moves: those that both have, whose own effects cancel, then those of one and of the other,
+// then those that loops let move with them.
 struct Support {
-    int first = 0, common = 0, of_a = 0, of_b = 0;  // dofs, from `first` on in support_dofs
+    int first = 0, common = 0, of_a = 0, of_b = 0,
+        width = 0;  // dofs, from `first` on in support_dofs; width: all
     int tree_a = 0, tree_b = 0;
-    [[gnu::always_inline]] int count() const { return common + of_a + of_b; }
+    int places = -1;  // of loops' dofs among them; -1: it moves none
+    [[gnu::always_inline]] int of_chains() const { return common + of_a + of_b; }
+};
+
+// Two frames of links that stay on one another, as a whole (weld) or with their origins.
+struct BatchLoop {
+    int link_a = 0, link_b = 0, first_a = 0, first_b = 0;  // first: of a frame's numbers, place and turn
+    int row = 0;                                           // its first among the loops'
+    bool is_weld = false;
+    [[gnu::always_inline]] int rows() const { return is_weld ? 6 : 3; }
+};
+
+// What sensors read (lanes/sensors.h): of joints, of actuators, of frames, and, from kAccelerometer on, of the last step.
+enum class SensorKind {
+    kPosition,
+    kVelocity,
+    kJointForce,
+    kActuatorForce,
+    kActuatorLength,
+    kActuatorRate,
+    kPlace,
+    kTurn,
+    kAxisX,
+    kAxisY,
+    kAxisZ,
+    kLinear,
+    kAngular,
+    kVelocimeter,
+    kGyro,
+    kCentre,
+    kCentreVelocity,
+    kAccelerometer,
+    kForce,
+    kTorque,
+    kTouch
+};
+
+struct BatchSensor {
+    SensorKind kind = SensorKind::kPosition;
+    int address = 0, values = 0;  // among all; 0: it is not computed
+    int object = 0;               // position, dof or actuator
+    int link = 0, first = 0;      // of a frame, and where its place and turn are among the numbers
+    int reference = -1, reference_first = 0;  // the frame that sees it; -1: the world
+    bool is_on_child = false;                 // its force is that on the link, not on its parent
 };
 
 struct BatchModel {
@@ -169,16 +224,24 @@ struct BatchModel {
     std::vector<BatchSum> sums;
     std::vector<SumTerm> sum_terms;
     std::vector<int> sum_dofs;
+    std::vector<BatchSensor> sensors;
+    std::vector<BatchLoop> loops;
+    std::vector<int> loop_dofs, loop_places;  // ascending, with all ancestors; of each dof its place there
+    std::vector<int> places;                  // of loops' dofs in rows that they widen
     std::vector<double> numbers;
     std::vector<double> reference;  // positions
     int positions = 0, velocities = 0, controls = 0, trees = 0, slots = 0,
         entries = 0;                                    // entries: of the mass matrix
     int limits = 0, dry = 0, servos = 0, sum_rows = 0;  // rows that they may make
+    int turns = 0;                                      // slots with friction against turning
     int filters = 0;                                    // activations
+    int sensor_values = 0, accelerations = 0;           // of sensors; kept for them: all, or none
+    int loop_rows = 0, wide = 0;                        // wide: entries of y of dofs that loops widen
     int gravity = 0, wind = 0,
         terrain = 0;  // where their three numbers begin; terrain: a shift of all that stands still
-    // Of all rows of constraints the impulses of the last step, three a slot of contact.
-    int impulses() const { return 3 * slots + limits + dry + servos + sum_rows; }
+    // Of all rows of constraints the impulses of the last step, three a slot of contact; at the end three more, of its turning, then of
+    // loops.
+    int impulses() const { return 3 * slots + limits + dry + servos + sum_rows + 3 * turns + loop_rows; }
 };
 
 // False: what a batch cannot take, as a sentence that names the element.

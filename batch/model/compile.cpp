@@ -5,8 +5,10 @@
 #include <algorithm>
 
 #include "batch/model/batch_model.h"
+#include "batch/model/loops.h"
 #include "batch/model/pairs.h"
 #include "batch/model/refusal.h"
+#include "batch/model/sensors.h"
 #include "batch/model/sums.h"
 #include "robots/inertia.h"
 #include "robots/kinematics.h"
@@ -214,14 +216,17 @@ bool compile(const std::shared_ptr<const Prepared>& shared, BatchModel& out, std
     out.terrain = add(out.numbers, {0, 0, 0});
     for (const Link& link : model.links) add_link(out, link);
     for (size_t i = 1; i < model.links.size(); ++i) add_joints_of(out, prepared, int(i));
+    add_loops(out, model);
     const std::vector<int> sums = add_sums(out, prepared);
     for (const Actuator& actuator : model.actuators) add_actuator(out, actuator, sums);
     add_shapes(out, model);
+    add_sensors(out, model);
     add_medium(out, model);
     out.reference = reference_positions(model);
     out.positions = model.coordinates, out.velocities = int(out.dofs.size()),
     out.controls = int(out.actuators.size());
     add_pairs(out, prepared);
+    widen_dofs(out);
     return true;
 }
 

@@ -44,6 +44,11 @@ struct ModelView {
           sums(items_of(model.sums)),
           sum_terms(items_of(model.sum_terms)),
           sum_dofs(items_of(model.sum_dofs)),
+          sensors(items_of(model.sensors)),
+          loops(items_of(model.loops)),
+          loop_dofs(items_of(model.loop_dofs)),
+          loop_places(items_of(model.loop_places)),
+          places(items_of(model.places)),
           positions(model.positions),
           velocities(model.velocities),
           controls(model.controls),
@@ -57,7 +62,12 @@ struct ModelView {
           wind(model.wind),
           terrain(model.terrain),
           sum_rows(model.sum_rows),
-          filters(model.filters)
+          filters(model.filters),
+          turns(model.turns),
+          sensor_values(model.sensor_values),
+          accelerations(model.accelerations),
+          loop_rows(model.loop_rows),
+          wide(model.wide)
     {}
 
     Items<BatchLink> links;
@@ -74,11 +84,16 @@ struct ModelView {
     Items<BatchSum> sums;
     Items<SumTerm> sum_terms;
     Items<int> sum_dofs;
+    Items<BatchSensor> sensors;
+    Items<BatchLoop> loops;
+    Items<int> loop_dofs, loop_places, places;
     int positions, velocities, controls, trees, slots, entries, limits, dry, servos, gravity, wind, terrain,
-        sum_rows, filters;
+        sum_rows, filters, turns, sensor_values, accelerations, loop_rows, wide;
 
     EPODE_ALWAYS int first_sum() const { return 3 * slots + limits + dry + servos; }
-    EPODE_ALWAYS int impulses() const { return first_sum() + sum_rows; }
+    EPODE_ALWAYS int first_turn() const { return first_sum() + sum_rows; }
+    EPODE_ALWAYS int first_loop() const { return first_turn() + 3 * turns; }
+    EPODE_ALWAYS int impulses() const { return first_loop() + loop_rows; }
 };
 
 }  // namespace epode::batch

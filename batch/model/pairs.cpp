@@ -9,6 +9,8 @@
 #include <optional>
 #include <set>
 
+#include "batch/model/loops.h"
+
 namespace epode::batch {
 
 using namespace robots;
@@ -62,6 +64,8 @@ class Pairs {
             }
         for (const auto& pair : model_.excluded) exclude(pair[0], pair[1]);
         for (const auto& pair : prepared.overlapping()) exclude(pair[0], pair[1]);
+        for (const Closure& loop : model_.closures)
+            if (loop.link1 != 0 && loop.link2 != 0) exclude(loop.link1, loop.link2);
     }
 
     void make()
@@ -123,12 +127,20 @@ class Pairs {
         pair.first_slot = out_.slots, out_.slots += pair.slots;
         pair.support = support_of(a.link, b.link);
         pair.is_upright = b.shape->kind == ShapeKind::kPlane && is_upright(b);
-        const double one = a.shape->friction, two = b.shape->friction;
-        const double friction = model_.largest_friction ? std::max(one, two) : std::sqrt(one * two);
+        const int dimensions = std::max(a.shape->dimensions, b.shape->dimensions);
+        pair.rolls = dimensions >= 6;
+        if (dimensions >= 4) pair.first_turn = out_.turns, out_.turns += pair.slots;
+        const auto combined = [&](double one, double two) {
+            return model_.largest_friction ? std::max(one, two) : std::sqrt(one * two);
+        };
+        const double friction = combined(a.shape->friction, b.shape->friction);
+        const double torsion = combined(a.shape->torsional_friction, b.shape->torsional_friction);
+        const double rolling = combined(a.shape->rolling_friction, b.shape->rolling_friction);
         const Spring spring = in_series(prepared_.springs().of_shape(a.link, *a.shape),
                                         prepared_.springs().of_shape(b.link, *b.shape));
         pair.first = int(out_.numbers.size());
-        out_.numbers.insert(out_.numbers.end(), {friction, spring.stiffness, spring.damping});
+        out_.numbers.insert(out_.numbers.end(), {friction, spring.stiffness, spring.damping,
+                                                 dimensions >= 4 ? torsion : 0, pair.rolls ? rolling : 0});
         out_.pairs.push_back(pair);
     }
 
@@ -170,8 +182,11 @@ class Pairs {
         its.common = int(common.first - one.begin());
         its.of_a = int(one.end() - common.first), its.of_b = int(two.end() - common.second);
         its.tree_a = tree_of(a), its.tree_b = tree_of(b);
-        out_.support_dofs.insert(out_.support_dofs.end(), one.begin(), one.end());
-        out_.support_dofs.insert(out_.support_dofs.end(), common.second, two.end());
+        std::vector<int> dofs = one;
+        dofs.insert(dofs.end(), common.second, two.end());
+        dofs = widened(out_, dofs);
+        its.width = int(dofs.size()), its.places = add_places(out_, dofs);
+        out_.support_dofs.insert(out_.support_dofs.end(), dofs.begin(), dofs.end());
         out_.supports.push_back(its);
         return supports_[{a, b}] = int(out_.supports.size()) - 1;
     }

@@ -80,7 +80,6 @@ std::string refusal_of(const RobotModel& model)
 {
     if (model.has_errors()) return "the model has errors: see its report";
     if (number_of_velocities(model) == 0) return "the model has no joints: nothing of it moves";
-    if (!model.closures.empty()) return named("loop", model.closures[0].name) + ": a batch has no loops";
     std::string problem = refused_free(model);
     if (problem.empty()) problem = refused_sums(model);
     for (size_t i = 0; i < model.links.size() && problem.empty(); ++i)

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <set>
 
+#include "batch/model/loops.h"
+
 namespace epode::batch {
 
 using namespace robots;
@@ -15,10 +17,10 @@ namespace {
 
 constexpr double kNoBound = 1e30;
 
-void add_terms(BatchModel& out, BatchSum& sum, const std::vector<Coupling::Term>& terms)
+// Returns where they begin.
+int add_terms(BatchModel& out, const std::vector<Coupling::Term>& terms, std::set<int>& moved)
 {
-    sum.first_term = int(out.sum_terms.size());
-    std::set<int> moved;
+    const int first = int(out.sum_terms.size());
     for (const Coupling::Term& term : terms) {
         if (term.factor == 0) continue;
         const BatchJoint& joint = out.joints[size_t(term.joint)];
@@ -27,19 +29,57 @@ void add_terms(BatchModel& out, BatchSum& sum, const std::vector<Coupling::Term>
         const Dof& dof = out.dofs[size_t(joint.dof)];
         moved.insert(&out.chains[size_t(dof.chain)], &out.chains[size_t(dof.chain)] + dof.depth + 1);
     }
-    sum.terms = int(out.sum_terms.size()) - sum.first_term;
-    sum.support = int(out.sum_dofs.size()), sum.width = int(moved.size());
-    out.sum_dofs.insert(out.sum_dofs.end(), moved.begin(), moved.end());
+    return first;
+}
+
+// What the polynomial of a coupling is of: the second joint's coordinate, or the second tendon's length, both from their references.
+struct Bend {
+    std::vector<Coupling::Term> terms;
+    std::vector<double> polynomial;  // from the second power on
+};
+
+Bend bend_of(const RobotModel& model, const Coupling& coupling)
+{
+    Bend out;
+    if (coupling.polynomial.empty()) return out;
+    if (coupling.tendons[1] >= 0)
+        out.terms = model.tendons[size_t(coupling.tendons[1])].terms;
+    else if (coupling.terms.size() > 1)
+        out.terms = {{coupling.terms[1].joint, 1}};
+    if (!out.terms.empty()) out.polynomial = coupling.polynomial;
+    return out;
+}
+
+void add_bend(BatchModel& out, const RobotModel& model, const Bend& bend, BatchSum& sum, std::set<int>& moved)
+{
+    sum.first_inner = add_terms(out, bend.terms, moved);
+    sum.inner = int(out.sum_terms.size()) - sum.first_inner;
+    if (bend.polynomial.empty()) return;
+    double zero = 0;
+    for (const Coupling::Term& term : bend.terms)
+        zero += term.factor * model.joints[size_t(term.joint)].reference;
+    sum.curve = int(out.numbers.size());
+    out.numbers.push_back(zero);
+    for (size_t i = 0; i + 1 < curve_number::kCount; ++i)
+        out.numbers.push_back(i < bend.polynomial.size() ? bend.polynomial[i] : 0);
 }
 
 struct Acts {
     double low = -kNoBound, high = kNoBound, rest = 0, stiffness = 0, damping = 0, limit = kNoBound;
 };
 
-void add_sum(BatchModel& out, BatchSum sum, const std::vector<Coupling::Term>& terms, const Acts& acts,
-             bool is_driven)
+void add_sum(BatchModel& out, const RobotModel& model, BatchSum sum, const std::vector<Coupling::Term>& terms,
+             const Bend& bend, const Acts& acts, bool is_driven)
 {
-    add_terms(out, sum, terms);
+    std::set<int> moved;
+    sum.first_term = add_terms(out, terms, moved);
+    sum.terms = int(out.sum_terms.size()) - sum.first_term;
+    add_bend(out, model, bend, sum, moved);
+    const std::vector<int> wide = widened(out, {moved.begin(), moved.end()});
+    moved.insert(wide.begin(), wide.end());
+    sum.support = int(out.sum_dofs.size()), sum.width = int(moved.size());
+    sum.places = add_places(out, {moved.begin(), moved.end()});
+    out.sum_dofs.insert(out.sum_dofs.end(), moved.begin(), moved.end());
     sum.first = int(out.numbers.size());
     out.numbers.insert(out.numbers.end(),
                        {acts.low, acts.high, acts.rest, acts.stiffness, acts.damping, acts.limit});
@@ -63,7 +103,7 @@ void add_tendon(BatchModel& out, const Prepared& prepared, size_t number)
         is_driven = true;
         acts.limit = std::min(acts.limit, std::fabs(a.gear) * std::max(-a.force_low, a.force_high));
     }
-    add_sum(out, {}, tendon.terms, acts, is_driven);
+    add_sum(out, prepared.model(), {}, tendon.terms, {}, acts, is_driven);
 }
 
 }  // namespace
@@ -76,7 +116,7 @@ std::vector<int> add_sums(BatchModel& out, const Prepared& prepared)
         sum.is_equality = true;
         Acts acts;
         acts.low = acts.high = coupling.offset;
-        add_sum(out, sum, coupling.terms, acts, false);
+        add_sum(out, model, sum, coupling.terms, bend_of(model, coupling), acts, false);
     }
     std::vector<int> of_tendons(model.tendons.size(), -1);
     for (size_t i = 0; i < model.tendons.size(); ++i) {

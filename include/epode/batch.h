@@ -14,8 +14,8 @@ extern "C" {
 /** @chapter batches Batches of robots
 
     A batch holds n copies of a model as arrays of numbers: no world, no bodies. Joints hold by construction
-    (generalised coordinates); contacts, limits, dry friction and limited servos are solved to a tolerance, each
-    copy for itself. What a copy does depends neither on its neighbours, nor on its place, the threads or the
+    (generalised coordinates), and loops of the model with them; contacts, limits, dry friction and limited servos
+    are solved to a tolerance, each copy for itself. What a copy does depends neither on its neighbours, nor on its place, the threads or the
     machine: the same bits. Units are SI, axes and coordinates those of the model (robots.h): positions as
     dRobotModelGetJoints numbers them; velocities one of a hinge or slider, three of a ball (angular, in its
     link's axes), six of a free joint (of the link's origin in the world's axes, then angular in the link's).
@@ -57,7 +57,9 @@ typedef enum {
     dBatchControls,      /**< of actuators, in their order; can be written */
     dBatchAppliedForces, /**< along the velocities, N or N m, until they are changed; can be written */
     dBatchConstraintForces, /**< of the last step: three of each contact point (normal, two tangents), then of limits, dry friction,
-                                 limited servos, couplings and tendons (limit, then drive), N or N m */
+                                 limited servos, couplings and tendons (limit, then drive), N or N m; at the end three torques of each contact
+                                 point with torsional friction (about the normal, two tangents), N m, then of loops the force on the
+                                 first link in the world's axes, of welds the torque too */
     dBatchBad,      /**< 1: the copy's numbers left the finite; it keeps its last state until it is reset */
     dBatchResidual, /**< what the last sweep of the last step changed, m/s */
     dBatchSweeps,   /**< of the last step */
@@ -68,15 +70,18 @@ typedef enum {
                                 hangs on one link whose parent is the world), in the world's axes; MuJoCo's cvel */
     dBatchLinkInertias, /**< about C, in the world's axes: xx yy zz xy xz yz, mass times the place of the centre from C, mass;
                                 MuJoCo's cinert */
-    dBatchLinkForces, /**< of the last step's contacts, on links: torque about C, force; MuJoCo's cfrc_ext. Nothing on the world */
+    dBatchLinkForces, /**< of the last step's contacts and loops, on links: torque about C, force; MuJoCo's cfrc_ext. Nothing on the world */
     dBatchCentreOfMass,   /**< of all links */
     dBatchActuatorForces, /**< along the velocities, in this state under these controls */
-    dBatchVelocityConstraintForces /**< along the velocities, of the last step's contacts, limits, dry friction, couplings */
+    dBatchVelocityConstraintForces, /**< along the velocities, of the last step's contacts, loops, limits, dry friction, couplings */
+    dBatchSensors /**< that the file names, in its order: of joints, actuators and frames in this state; accelerometer, force, torque
+                       and touch of the last step, where it began. dBatchGetSensor has their places */
 } dBatchQuantity;
 
 /** Create a batch of `count` copies of the model, at the reference position and at rest. options may be NULL. The model may be
     destroyed afterwards. Destroy the batch with dBatchDestroy. Returns 0, with a message that names the element, when refused: a
-    model with errors; what a batch does not have (tendons with a path, loops); count below 1; options out of bounds; too little memory. [ours] */
+    model with errors; what a batch does not have (tendons with a path on which something acts); count below 1; options out of bounds;
+    too little memory. [ours] */
 ODE_API dBatchID dBatchCreate(dRobotModelID model, int count, const dBatchOptions* options);
 
 /** Destroys the batch. [ours] */
@@ -90,6 +95,11 @@ ODE_API int dBatchGetNumCopies(dBatchID batch);
 ODE_API int dBatchGetNumberSize(dBatchID batch);
 ODE_API int dBatchGetNumThreads(dBatchID batch);
 ODE_API int dBatchGetSize(dBatchID batch, int quantity);
+
+/** Returns how many numbers of dBatchSensors a sensor of the model has, as dRobotModelGetSensors numbers them; 0: a batch does not
+    compute it (rangefinders, kinds that worlds do not compute). *first, unless first is NULL, is where they begin. Refused: no
+    such sensor. [ours] */
+ODE_API int dBatchGetSensor(dBatchID batch, int sensor, int* first);
 
 /** Of `count` copies from `first` on. Both return 1.
     - dBatchRead: Copies the quantity to values.
@@ -107,14 +117,17 @@ typedef enum {
     dBatchDampings,  /**< of joints, along the velocities, N m s or N s/m */
     dBatchStiffnesses, /**< of joints' springs, along the velocities, N m or N/m */
     dBatchGains,       /**< of actuators */
-    dBatchTerrain      /**< three, m: by how much shapes of the world and of all that stands still are moved */
+    dBatchTerrain,     /**< three, m: by how much shapes of the world and of all that stands still are moved */
+    dBatchTorsionalFrictions, /**< of pairs of shapes, m: 0 of those without (MJCF's condim below 4) */
+    dBatchRollingFrictions    /**< of pairs of shapes, m: 0 of those without (MJCF's condim below 6) */
 } dBatchParameter;
 
 /** Of `count` copies from `first` on, (count, size) as in dBatchRead.
     - dBatchGetParameterSize: Returns how many numbers a copy has of the parameter, a dBatchParameter.
     - dBatchReadParameter: Copies them to `values`. Returns 1.
     - dBatchWriteParameter: Takes them from values, for those copies only. Returns 1. Refused besides: what is not finite or
-      beyond 1e15; masses of moving links that are not above 0; negative frictions, armatures, dampings and stiffnesses. [ours] */
+      beyond 1e15; masses of moving links that are not above 0; negative frictions, armatures, dampings and stiffnesses;
+      frictions against turning of pairs without them. [ours] */
 ODE_API int dBatchGetParameterSize(dBatchID batch, int parameter);
 ODE_API int dBatchReadParameter(dBatchID batch, int parameter, int first, int count, void* values);
 ODE_API int dBatchWriteParameter(dBatchID batch, int parameter, int first, int count, const void* values);

@@ -26,9 +26,10 @@ from .robot import Model
 from .world import World
 
 _QUANTITIES = ("qpos", "qvel", "ctrl", "applied", "forces", "bad", "residual", "sweeps", "act",
-               "xpos", "xquat", "cvel", "cinert", "cfrc_ext", "com", "qfrc_actuator", "qfrc_constraint")
+               "xpos", "xquat", "cvel", "cinert", "cfrc_ext", "com", "qfrc_actuator", "qfrc_constraint", "sensordata")
 _AXES = ("link", "world", "upright")
-_PARAMETERS = ("gravity", "mass", "friction", "armature", "damping", "stiffness", "gain", "terrain")
+_PARAMETERS = ("gravity", "mass", "friction", "armature", "damping", "stiffness", "gain", "terrain", "torsional_friction",
+               "rolling_friction")
 
 
 def _number_in(names: tuple[str, ...], name: str, what: str) -> int:
@@ -69,7 +70,8 @@ class Batch:
     residual and sweeps of the last step can only be read.
 
     So can what follows from them, under MuJoCo's names, a link's numbers side by side: xpos and xquat of links, cvel and cinert about
-    the centre of mass of their tree, com of all; qfrc_actuator in this state; cfrc_ext on links and qfrc_constraint of the last step.
+    the centre of mass of their tree, com of all; qfrc_actuator in this state; cfrc_ext on links and qfrc_constraint of the last step;
+    sensordata of the sensors that the file names, whose places ``sensors`` has.
 
     dtype: "float32" or "float64". threads: 0 for as many as the machine has. stepsize: s. erp, max_correction: the share of an
     overlap that a step takes back, and how fast. reach: surfaces nearer than this are looked at. tolerance: sweeps end when the last
@@ -127,6 +129,25 @@ class Batch:
             self._bound[name] = array
         return self._bound[name]
 
+    @property
+    def sensors(self) -> dict[str | int, slice]:
+        """Where each sensor of the file stands in a row of sensordata: by its name, or its number if it has none. Those that a batch
+        does not compute are not there."""
+        out: dict[str | int, slice] = {}
+        for number, sensor in enumerate(self.model.sensors):
+            first, values = self._batch.sensor(number)
+            if values > 0:
+                out[sensor.name or number] = slice(first, first + values)
+        return out
+
+    def sensor(self, sensor: str | int) -> NDArray[Any]:
+        """A live view (copies, values) of a sensor's columns of sensordata, which is bound. By name, or number in the file."""
+        places = self.sensors
+        name = self.model.sensors[sensor].name or sensor if isinstance(sensor, int) else sensor
+        if name not in places:
+            raise ValueError(f"no sensor that a batch computes is called {sensor!r}: {', '.join(map(str, places))}")
+        return self.bind("sensordata")[:, places[name]]
+
     def read(self, name: str) -> NDArray[Any]:
         """A new array (copies, size)."""
         array = np.empty((self.copies, self.size(name)), self.dtype)
@@ -148,8 +169,8 @@ class Batch:
         return np.array(np.broadcast_to(given, (self.copies, size)), order="C")
 
     def get(self, parameter: str) -> NDArray[Any]:
-        """A new array (copies, size) of gravity, mass, friction (of pairs of shapes), armature, damping, stiffness, gain or terrain
-        (by how much all that stands still is moved)."""
+        """A new array (copies, size) of gravity, mass, friction (of pairs of shapes), armature, damping, stiffness, gain, terrain
+        (by how much all that stands still is moved), torsional_friction or rolling_friction (of pairs, m)."""
         number = _number_in(_PARAMETERS, parameter, "parameter")
         array = np.empty((self.copies, self._batch.parameter_size(number)), self.dtype)
         self._batch.read_parameter(number, 0, self.copies, array)

@@ -181,6 +181,13 @@ void bind_batches(nb::module_& m)
         .def_prop_ro("copies", [](const BoundBatch& b) { return b.its().copies(); })
         .def_prop_ro("threads", [](const BoundBatch& b) { return b.its().threads(); })
         .def("size", [](const BoundBatch& b, int quantity) { return b.its().size_of(quantity_of(quantity)); })
+        .def("sensor",
+             [](const BoundBatch& b, int number) {
+                 const auto& all = b.its().model().sensors;
+                 if (number < 0 || number >= int(all.size())) throw nb::index_error("no such sensor");
+                 const auto& its = all[size_t(number)];
+                 return nb::make_tuple(its.address, its.values);
+             })
         .def("parameter_size",
              [](const BoundBatch& b, int parameter) {
                  return epode::batch::size_of(b.its().model(), parameter_of(parameter));

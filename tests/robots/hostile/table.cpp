@@ -111,6 +111,7 @@ constexpr RobotFunction kAll[] = {
     FUNCTION(dBatchGetNumberSize, kBatch),
     FUNCTION(dBatchGetNumThreads, kBatch),
     FUNCTION(dBatchGetSize, kBatch, kQuantity),
+    FUNCTION(dBatchGetSensor, kBatch, kNumber, kOutputOrNone),
     FUNCTION(dBatchRead, kBatch, kQuantity, kFirstCopy, kCopyCount, kOutput),
     FUNCTION(dBatchWrite, kBatch, kQuantity, kFirstCopy, kCopyCount, kCopyValues),
     FUNCTION(dBatchGetParameterSize, kBatch, kParameter),

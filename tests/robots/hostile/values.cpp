@@ -13,7 +13,7 @@ namespace {
 constexpr dReal kNotANumber = std::numeric_limits<dReal>::quiet_NaN(),
                 kInf = std::numeric_limits<dReal>::infinity();
 constexpr dReal kHuge = std::numeric_limits<dReal>::max(), kTiny = std::numeric_limits<dReal>::denorm_min();
-constexpr int kLastQuantity = dBatchVelocityConstraintForces;
+constexpr int kLastQuantity = dBatchSensors, kLastParameter = dBatchRollingFrictions;
 // What robots' functions take at most.
 constexpr dReal kLimit = sizeof(dReal) == 8 ? dReal(1e30) : dReal(1e9);
 constexpr std::size_t kOutputSize = 1 << 16;
@@ -510,8 +510,8 @@ Value Values::choose(const RobotFunction& function, int argument, bool hostile)
             return integer(below(kLastQuantity + 1), {{-1, kBad}, {kLastQuantity + 1, kBad}, {INT_MAX, kBad}},
                            hostile);
         case Role::kParameter:
-            return integer(below(dBatchTerrain + 1), {{-1, kBad}, {dBatchTerrain + 1, kBad}, {INT_MAX, kBad}},
-                           hostile);
+            return integer(below(kLastParameter + 1),
+                           {{-1, kBad}, {kLastParameter + 1, kBad}, {INT_MAX, kBad}}, hostile);
         case Role::kFirstCopy:
             return integer(below(2),
                            {{-1, kBad}, {INT_MIN, kBad}, {INT_MAX, kBad}, {Scene::kCopies + 1, kBad}},
