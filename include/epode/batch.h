@@ -97,7 +97,7 @@ ODE_API int dBatchGetNumThreads(dBatchID batch);
 ODE_API int dBatchGetSize(dBatchID batch, int quantity);
 
 /** Returns how many numbers of dBatchSensors a sensor of the model has, as dRobotModelGetSensors numbers them; 0: a batch does not
-    compute it (rangefinders, kinds that worlds do not compute). *first, unless first is NULL, is where they begin. Refused: no
+    compute it (rangefinders: dBatchCastRays; kinds that worlds do not compute). *first, unless first is NULL, is where they begin. Refused: no
     such sensor. [ours] */
 ODE_API int dBatchGetSensor(dBatchID batch, int sensor, int* first);
 

@@ -91,10 +91,10 @@ def test_what_is_wrong_is_refused_and_changes_nothing(model):
 
 
 def test_models_that_a_batch_cannot_take_are_named(model):
-    loop = epode.robot.from_text("""<mujoco><worldbody><body name="a"><joint/><geom size=".1"/></body><body name="b"><joint/><geom size=".1"/></body>
-</worldbody><equality><connect name="ring" body1="a" body2="b" anchor="0 0 .5"/></equality></mujoco>""")
-    with pytest.raises(epode.RefusedError, match="ring"):
-        epode.Batch(loop, 1)
+    rope = epode.robot.from_text("""<mujoco><worldbody><site name="s"/><body name="a"><joint/><geom size=".1"/><site name="t" pos="1 0 0"/></body>
+</worldbody><tendon><spatial name="rope" stiffness="1"><site site="s"/><site site="t"/></spatial></tendon></mujoco>""")
+    with pytest.raises(epode.RefusedError, match="rope"):
+        epode.Batch(rope, 1)
     for wrong in ({"stepsize": 0}, {"stepsize": np.nan}, {"threads": -1}, {"max_sweeps": 0}):
         with pytest.raises(epode.RefusedError):
             epode.Batch(model, 1, **wrong)
