@@ -97,7 +97,7 @@ class ContactWorld {
     [[nodiscard]] bool load(const World& world, const SpaceGeoms& geoms, StateStream& stream, Loaded& out);
     // All geoms have been told that they have moved, if they have.
     // `rest`: as mark_rest() has found when the state was saved.
-    void accept(Loaded& loaded, const SpaceGeoms& geoms, std::span<const std::uint8_t> rest);
+    void accept(World& world, Loaded& loaded, const SpaceGeoms& geoms, std::span<const std::uint8_t> rest);
     // GeomRest of each geom, as bits.
     void mark_rest(const World& world, const SpaceGeoms& geoms, std::span<std::uint8_t> by_number) const;
     // What is broken between two steps, in words; null: nothing.

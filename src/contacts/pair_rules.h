@@ -22,6 +22,13 @@ inline Real contact_layer(const World& world)
 
 inline Body* body_of(const Geom& geom) { return from_handle<Body>(geom.body.id); }
 
+// Null: it has none, or one of another world in the same space.
+inline Body* own_body(const World& world, const Geom& geom)
+{
+    Body* const body = body_of(geom);
+    return body && body->world == &world ? body : nullptr;
+}
+
 inline bool awake(const Body* body) { return body && !body->disabled; }
 
 inline bool moves(const Body* body) { return body && !body->kinematic(); }

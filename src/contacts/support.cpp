@@ -11,7 +11,8 @@ bool ContactWorld::find_unsupported(const World& world, const Space& in, Array<B
     if (!world.wakes_sleepers()) return true;
     bool complete = true;
     const auto list = [&](const Geom& geom) {
-        Body* const body = body_of(geom);
+        Body* const body = own_body(world, geom);
+        if (!body) return;  // it has been given to another world since the last step
         const bool put_down = body->put_down > seen_disturbance_;
         if (is_sleeper(*body) && !put_down) complete = out.push(body) && complete;
     };

@@ -292,7 +292,7 @@ const char* WorldState::set(const std::byte* from, std::size_t size, Seal with)
     values.set_format(header.version);
     load(values, seeded);
     kept_->contacts.accept(cached_);
-    kept_->world_contacts.accept(loaded_, geoms_, geom_bits_.span());
+    kept_->world_contacts.accept(world_, loaded_, geoms_, geom_bits_.span());
     kept_->events.restart(world_, kept_->world_contacts.live_space());
     world_.report_made = false;
     return nullptr;

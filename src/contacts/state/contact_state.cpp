@@ -269,7 +269,8 @@ bool ContactWorld::load_pair(const World& world, StateStream& stream, std::uint3
     return true;
 }
 
-void ContactWorld::accept(Loaded& loaded, const SpaceGeoms& geoms, std::span<const std::uint8_t> rest)
+void ContactWorld::accept(World& world, Loaded& loaded, const SpaceGeoms& geoms,
+                          std::span<const std::uint8_t> rest)
 {
     last_.swap(fresh_);
     resting_.clear();
@@ -283,7 +284,8 @@ void ContactWorld::accept(Loaded& loaded, const SpaceGeoms& geoms, std::span<con
         for (int i = 0; i < geoms.count(); ++i) {
             if (geoms[i].space != in) continue;
             const bool rests = rest[std::size_t(i)] & kGeomAtRest;
-            geoms[i].watched = rests ? kRestingPairs : 0;
+            geoms[i].watched &= std::uint8_t(~kRestingPairs);  // for what touches another world may watch it
+            if (rests) geoms[i].watched |= kRestingPairs;
             if (rests) in->keeper = this;
         }
     if (loaded.any_rests) put_to_rest(loaded, *in);
@@ -294,11 +296,12 @@ void ContactWorld::accept(Loaded& loaded, const SpaceGeoms& geoms, std::span<con
     any_unsupported_ = false;
     for (int i = 0; i < geoms.count(); ++i) {
         const std::uint8_t bits = rest[std::size_t(i)];
-        geoms[i].watched &= std::uint8_t(~kUnsupported);
         if (bits & kGeomDisturbed && geoms[i].space == in) in->disturbances.note(geoms[i]);
+        Body* const body = own_body(world, geoms[i]);
+        if (!body) continue;
+        geoms[i].watched &= std::uint8_t(~kUnsupported);
         if (bits & kGeomUnsupported) geoms[i].watched |= kUnsupported, any_unsupported_ = true;
-        if (Body* const body = bits & kGeomPutDown ? body_of(geoms[i]) : nullptr)
-            body->put_down = body->world->last_put_down = next_disturbance();
+        if (bits & kGeomPutDown) body->put_down = world.last_put_down = next_disturbance();
     }
     for_each_pair([](const ContactPair& pair, std::span<const CachedManifold> manifolds) {
         if (!manifolds.empty()) watch(pair, kTouch);
@@ -309,7 +312,7 @@ void ContactWorld::accept(Loaded& loaded, const SpaceGeoms& geoms, std::span<con
 // everywhere.
 void ContactWorld::put_to_rest(const Loaded& loaded, Space& in)
 {
-    if (in.helped > 0 || (in.keeper && in.keeper != this)) {
+    if (in.keeper && in.keeper != this) {
         unfinished_ = true;
         return;
     }
@@ -333,7 +336,7 @@ void ContactWorld::mark_rest(const World& world, const SpaceGeoms& geoms,
             if (geoms[i].watched & kRestingPairs && geoms[i].space == in)
                 by_number[std::size_t(i)] |= kGeomAtRest;
     const auto mark_unsupported = [&](const Geom& geom) {
-        if (const int number = geoms.find(geom); number >= 0)
+        if (const int number = own_body(world, geom) ? geoms.find(geom) : -1; number >= 0)
             by_number[std::size_t(number)] |= kGeomUnsupported;
     };
     for (int i = 0; any_unsupported_ && i < geoms.count(); ++i)
@@ -344,13 +347,13 @@ void ContactWorld::mark_rest(const World& world, const SpaceGeoms& geoms,
         });
     if (world.last_put_down > seen_disturbance_)
         for (int i = 0; i < geoms.count(); ++i)
-            if (const Body* body = body_of(geoms[i]); body && body->put_down > seen_disturbance_)
+            if (const Body* body = own_body(world, geoms[i]); body && body->put_down > seen_disturbance_)
                 by_number[std::size_t(i)] |= kGeomPutDown;
     if (!in->disturbances.knows_since(seen_disturbances_)) return;
     for (std::uint64_t i = seen_disturbances_; i < in->disturbances.count(); ++i) {
         const auto& [id, serial] = in->disturbances[i];
         const Geom* geom = from_handle<Geom>(id);
-        if (!geom || geom->serial != serial) continue;
+        if (!geom || geom->serial != serial || geom->space != in) continue;
         if (const int number = geoms.find(*geom); number >= 0)
             by_number[std::size_t(number)] |= kGeomDisturbed;
     }
