@@ -5,8 +5,10 @@
 #include "collide/pairs/surfaces/mesh_mesh.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 
+#include "collide/pairs/surfaces/crossing_table.h"
 #include "collide/pairs/surfaces/triangle_triangle.h"
 
 namespace epode {
@@ -70,20 +72,68 @@ class TriangleContactList {
     int count_ = 0;
 };
 
+// Under which numbers contacts are found in a table: put under all, asked for by one of the first `asked`.
+struct Keys {
+    std::uint64_t key[4];
+    int count, asked;
+};
+
+// A triangle and its neighbours, which ask for it by their own number.
+Keys keys_of(const TriangleMesh& mesh, int t)
+{
+    Keys keys{{std::uint64_t(t)}, 1, 1};
+    for (int k = 0; k < 3; ++k)
+        if (const int u = mesh.neighbour(t, k); u >= 0) keys.key[keys.count++] = std::uint64_t(u);
+    return keys;
+}
+
 // Where two solids meet edge to edge, pairs of adjacent triangles cross, too, with larger overlaps only. A
 // contact is needless if a shallower one nearby, in another direction, separates its triangles as well.
 template <typename Other>
-bool needless(const TriangleContact& contact, const TriangleContact* shorter, int count, const Surface& a,
-              const Other& b)
-{
-    for (int i = 0; i < count; ++i) {
-        const TriangleContact& s = shorter[i];
-        if (s.allowed && dot(s.normal, contact.normal) < kOtherWay && adjoin(a.mesh, s.a, contact.a) &&
-            b.adjoin(s, contact) && contact.overlap_along(s.normal) <= kCovers * s.depth)
-            return true;
+class Shallower {
+  public:
+    // `contacts`: the shallowest first.
+    Shallower(const TriangleContact* contacts, int count, const Surface& a, const Other& b)
+        : contacts_(contacts), a_(a), b_(b), by_table_(count > kFew && table_.reserve(kKeys * count))
+    {}
+    // Those before it have been added.
+    bool is_separated_by_any(int i)
+    {
+        const TriangleContact& contact = contacts_[i];
+        const auto separates = [&](int k) { return this->separates(contacts_[k], contact); };
+        if (!by_table_) {
+            for (int k = 0; k < i; ++k)
+                if (separates(k)) return true;
+            return false;
+        }
+        const Keys keys = b_.keys(contact);
+        for (int k = 0; k < keys.asked; ++k)
+            if (table_.any(std::uint64_t(contact.a), keys.key[k], separates)) return true;
+        return false;
     }
-    return false;
-}
+    void add(int i)
+    {
+        if (!by_table_ || !contacts_[i].allowed) return;
+        const Keys of_a = keys_of(a_.mesh, contacts_[i].a), of_b = b_.keys(contacts_[i]);
+        for (int x = 0; x < of_a.count; ++x)
+            for (int y = 0; y < of_b.count; ++y) table_.put(of_a.key[x], of_b.key[y], i);
+    }
+
+  private:
+    static constexpr int kFew = 256, kKeys = 16;  // a table is slower for so few
+
+    bool separates(const TriangleContact& s, const TriangleContact& contact) const
+    {
+        return s.allowed && dot(s.normal, contact.normal) < kOtherWay && adjoin(a_.mesh, s.a, contact.a) &&
+               b_.adjoin(s, contact) && contact.overlap_along(s.normal) <= kCovers * s.depth;
+    }
+
+    const TriangleContact* contacts_;
+    const Surface& a_;
+    const Other& b_;
+    CrossingTable table_;
+    bool by_table_;
+};
 
 template <typename Other>
 void collect(TriangleContactList& contacts, const Surface& a, const Other& b, ContactCollector& collector)
@@ -92,10 +142,12 @@ void collect(TriangleContactList& contacts, const Surface& a, const Other& b, Co
         if (x.depth != y.depth) return x.depth < y.depth;
         return x.a != y.a ? x.a < y.a : x.b < y.b;
     });
+    Shallower<Other> shallower(contacts.begin(), contacts.count(), a, b);
     for (int i = 0; i < contacts.count(); ++i) {
         const TriangleContact& p = contacts.begin()[i];
-        if (!p.allowed || needless(p, contacts.begin(), i, a, b)) continue;
-        for (int k = 0; k < p.count; ++k) collector.add({p.points[k], p.normal, p.depths[k], p.a, p.b});
+        if (p.allowed && !shallower.is_separated_by_any(i))
+            for (int k = 0; k < p.count; ++k) collector.add({p.points[k], p.normal, p.depths[k], p.a, p.b});
+        shallower.add(i);
     }
     if (!collector.empty()) return;
     for (const TriangleContact& p : contacts)  // the least, although neither mesh allows it
@@ -112,6 +164,7 @@ class MeshSide {
     {
         return epode::adjoin(s_.mesh, p.b, q.b);
     }
+    Keys keys(const TriangleContact& p) const { return keys_of(s_.mesh, p.b); }
     // visit(facet) for all whose boxes meet the box, until it says false.
     template <typename Visit>
     void each(const Aabb& box, const Visit& visit)
@@ -208,6 +261,14 @@ class TerrainSide {
             for (const Vec3 w : q.corners_b) same += v == w;
         return same >= 2;
     }
+    // The edges, by their ends in any order.
+    Keys keys(const TriangleContact& p) const
+    {
+        Keys keys{{}, 3, 3};
+        for (int k = 0; k < 3; ++k)
+            keys.key[k] = number_of(p.corners_b[k]) + number_of(p.corners_b[(k + 1) % 3]);
+        return keys;
+    }
 
     template <typename Visit>
     void each(const Aabb& box, const Visit& visit)
@@ -293,6 +354,13 @@ class TerrainSide {
             }
         }
         return true;
+    }
+
+    // Of a corner; of two that are equal, 0 and -0 included, the same.
+    static std::uint64_t number_of(Vec3 v)
+    {
+        const auto bits = [](Real x) { return std::bit_cast<std::uint64_t>(double(x) + 0.0); };
+        return hash_of(hash_of(bits(v.x), bits(v.y)), bits(v.z));
     }
 
     const Terrain& terrain_;
