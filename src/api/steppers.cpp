@@ -26,7 +26,7 @@ int dWorldStepHybrid(dWorldID w, dReal stepsize)
     EPODE_USER(world && usable(stepsize) && stepsize > 0, 0);
     EPODE_MAY_STEP(*world);
     EPODE_USER_SAY(step_world_hybrid(*world, stepsize), kOutOfMemory, 0);
-    report_runaways(*world);
+    report_unusual(*world);
     return 1;
 }
 
@@ -57,7 +57,7 @@ int dWorldsStep(const dWorldID* worlds, int count, dReal stepsize, int stepper, 
     EPODE_USER_SAY(!wrong, wrong, 0);
     EPODE_USER_SAY(whole == count, kOutOfMemory, whole);
     for (int i = 0; i < count; ++i)  // an earlier message's handler may have destroyed it
-        if (World* world = from_handle<World>(worlds[i])) report_runaways(*world);
+        if (World* world = from_handle<World>(worlds[i])) report_unusual(*world);
     return whole;
 }
 

@@ -200,7 +200,7 @@ int dWorldStep(dWorldID w, dReal stepsize)
     EPODE_USER(usable(stepsize) && stepsize > 0, 0);
     EPODE_MAY_STEP(*world);
     EPODE_USER_SAY(step_world(*world, kDirect, stepsize, 0), kOutOfMemory, 0);
-    report_runaways(*world);
+    report_unusual(*world);
     return 1;
 }
 
@@ -210,7 +210,7 @@ int dWorldQuickStep(dWorldID w, dReal stepsize)
     EPODE_USER(usable(stepsize) && stepsize > 0, 0);
     EPODE_MAY_STEP(*world);
     EPODE_USER_SAY(step_world(*world, kQuick, stepsize, world->quick_iterations), kOutOfMemory, 0);
-    report_runaways(*world);
+    report_unusual(*world);
     return 1;
 }
 
@@ -220,7 +220,7 @@ int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations)
     EPODE_USER(usable(stepsize) && stepsize > 0 && maxiterations >= 1 && maxiterations <= kMaxSubsteps, 0);
     EPODE_MAY_STEP(*world);
     EPODE_USER_SAY(step_world(*world, kTgs, stepsize, maxiterations), kOutOfMemory, 0);
-    report_runaways(*world);
+    report_unusual(*world);
     return 1;
 }
 

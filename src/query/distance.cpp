@@ -13,7 +13,8 @@ namespace epode {
 namespace {
 
 // Sets `best` to the triangle of `b` nearest to `a`, if that is nearer. All in the surface's frame.
-void nearest_triangle(const ConvexView& a, int side_a, const TriangleSet& b, Real limit, Separation& best)
+void nearest_triangle(const ConvexView& a, int side_a, const TriangleSet& b, Real limit, Separation& best,
+                      Effort& effort)
 {
     const Aabb around = box_around(a);
     const Real farthest = best.distance < limit ? best.distance : limit;
@@ -25,13 +26,14 @@ void nearest_triangle(const ConvexView& a, int side_a, const TriangleSet& b, Rea
                               (gap + max_component(max(abs(around.lo), abs(around.hi)))));
     for (Real reach = gap + step / 8;; step *= 4, reach += step) {
         const Aabb asked = grown(around, reach < limit ? reach : std::max(limit, Real(0)));
-        b.query(asked, [&](const Triangle& t, int side) {
+        b.query(asked, effort, [&](const Triangle& t, int side) {
+            if (!effort.spend(Effort::kDistance)) return;
             Separation s = separation(a, view_of(t), best.distance < limit ? best.distance : limit);
             s.side_a = side_a, s.side_b = side;
             if (s.distance <= limit && s.before(best)) best = s;
         });
         if (best.distance <= reach || reach >= limit || contains(asked, b.box())) return;
-        if (!(reach < kMaxMagnitude)) return;
+        if (!(reach < kMaxMagnitude) || effort.is_cut_short()) return;
     }
 }
 
@@ -60,7 +62,7 @@ Separation solid_plane(const QueryShape& a, const QueryShape& b)
     return s;
 }
 
-Separation solid_surface(const QueryShape& a, const QueryShape& b, Real limit)
+Separation solid_surface(const QueryShape& a, const QueryShape& b, Real limit, Effort& effort)
 {
     Separation best;
     if (kind_of(b) == QueryKind::kMesh && in_mesh(a, b, best)) return best;
@@ -69,14 +71,14 @@ Separation solid_surface(const QueryShape& a, const QueryShape& b, Real limit)
     const BoundingBall ball = ball_about(surface, b.pose);
     Capsule memory;
     nearest_triangle(in_frame(b.pose, solid_view(a, ball.centre, ball.reach, memory)), -1, surface, limit,
-                     best);
+                     best, effort);
     to_world(b.pose, best);
     return best;
 }
 
 // Of an endless field one period counts if its height axis is the plane's normal; otherwise the distance is
 // unbounded below.
-Separation surface_plane(const QueryShape& a, const QueryShape& b)
+Separation surface_plane(const QueryShape& a, const QueryShape& b, Effort& effort)
 {
     const TriangleSet surface = triangles_of(a);
     const Plane& plane = b.as<Plane>();
@@ -87,7 +89,7 @@ Separation surface_plane(const QueryShape& a, const QueryShape& b)
         best.distance = -kInf;
         best.normal = n;
     }
-    for (int t = 0; t < surface.count() && best.distance > -kInf; ++t) {
+    for (int t = 0; t < surface.count() && best.distance > -kInf && effort.spend(1); ++t) {
         Triangle triangle;
         if (!surface.triangle(t, triangle)) continue;
         for (const Vec3 v : triangle.v) {
@@ -112,12 +114,12 @@ Separation plane_plane(const Plane& a, const Plane& b)
 }
 
 // The triangles of `a` one by one, beginning with the one whose box is nearest.
-Separation surface_surface(const QueryShape& a, const QueryShape& b, Real limit)
+Separation surface_surface(const QueryShape& a, const QueryShape& b, Real limit, Effort& effort)
 {
     const TriangleSet sa = triangles_of(a), sb = triangles_of(b);
     if (sa.endless() && sb.endless()) return {};
     if (sa.endless() || (!sb.endless() && sb.count() < sa.count()))
-        return surface_surface(b, a, limit).turned();
+        return surface_surface(b, a, limit, effort).turned();
     const Pose pose = inverse_times(b.pose, a.pose);
     const auto placed = [&](int t, Triangle& out) {
         if (!sa.triangle(t, out)) return false;
@@ -126,38 +128,38 @@ Separation surface_surface(const QueryShape& a, const QueryShape& b, Real limit)
         out.c = dot(out.n, out.v[0]);
         return true;
     };
-    int nearest = -1;
+    int nearest = -1, count = 0;
     Real least = kInf;
     Triangle triangle;
-    for (int t = 0; t < sa.count(); ++t) {
-        if (!placed(t, triangle)) continue;
+    for (; count < sa.count() && effort.spend(1); ++count) {
+        if (!placed(count, triangle)) continue;
         const Real gap = gap_between(box_around(triangle), sb.box());
-        if (nearest < 0 || gap < least) nearest = t, least = gap;
+        if (nearest < 0 || gap < least) nearest = count, least = gap;
     }
     Separation best;
-    if (nearest >= 0 && placed(nearest, triangle))
-        nearest_triangle(view_of(triangle), nearest, sb, limit, best);
-    for (int t = 0; t < sa.count(); ++t)
-        if (t != nearest && placed(t, triangle)) nearest_triangle(view_of(triangle), t, sb, limit, best);
+    look_at_each(count, effort, [&](int i, Effort& share) {
+        const int t = i == 0 && nearest >= 0 ? nearest : i <= nearest ? i - 1 : i;  // the nearest one first
+        if (placed(t, triangle)) nearest_triangle(view_of(triangle), t, sb, limit, best, share);
+    });
     to_world(b.pose, best);
     return best;
 }
 
 // The kind of `a` must not come after that of `b`.
-Separation in_order(const QueryShape& a, const QueryShape& b, Real limit)
+Separation in_order(const QueryShape& a, const QueryShape& b, Real limit, Effort& effort)
 {
     const QueryKind x = kind_of(a), y = kind_of(b);
     if (x == QueryKind::kNone || y == QueryKind::kNone) return {};
     if (x == QueryKind::kSolid) {
         if (y == QueryKind::kSolid) return solid_solid(a, b, limit);
-        return y == QueryKind::kPlane ? solid_plane(a, b) : solid_surface(a, b, limit);
+        return y == QueryKind::kPlane ? solid_plane(a, b) : solid_surface(a, b, limit, effort);
     }
     if (x == QueryKind::kPlane)
         return y == QueryKind::kPlane ? plane_plane(a.as<Plane>(), b.as<Plane>())
-                                      : surface_plane(b, a).turned();
+                                      : surface_plane(b, a, effort).turned();
     Separation terrain;
     if (x == QueryKind::kMesh && y == QueryKind::kField && in_terrain(a, b, terrain)) return terrain;
-    return surface_surface(a, b, limit);
+    return surface_surface(a, b, limit, effort);
 }
 
 }  // namespace
@@ -168,8 +170,10 @@ GeomSeparation separation(Geom& a, Geom& b, Real limit)
     const QueryKind x = kind_of(ta), y = kind_of(tb);
     // One canonical order, so that swapping the two changes no bit.
     const bool turn = x != y ? x > y : ta.geom && tb.geom && ta.geom->serial > tb.geom->serial;
-    const Separation s = turn ? in_order(tb, ta, limit).turned() : in_order(ta, tb, limit);
+    Effort effort(mesh_triangles(ta) + mesh_triangles(tb));
+    const Separation s = turn ? in_order(tb, ta, limit, effort).turned() : in_order(ta, tb, limit, effort);
     GeomSeparation out;
+    out.cut_short = effort.is_cut_short();
     static_cast<Separation&>(out) = s;
     if (s.distance <= limit && s.distance < kInf) out.a = ta.named, out.b = tb.named;
     if (x == QueryKind::kField) out.side_a = -1;
@@ -177,10 +181,14 @@ GeomSeparation separation(Geom& a, Geom& b, Real limit)
     return out;
 }
 
-bool overlapping(Geom& a, Geom& b)
+bool overlapping(Geom& a, Geom& b, bool& cut_short)
 {
     const bool built_in = !is_user_class(a.type->number) && !is_user_class(b.type->number);
-    if (built_in && !overridden(a, b)) return separation(a, b, 0).a != nullptr;
+    if (built_in && !overridden(a, b)) {
+        const GeomSeparation s = separation(a, b, 0);
+        cut_short = cut_short || s.cut_short;
+        return s.a != nullptr;
+    }
     dContactGeom contact;
     ContactArray one{&contact, int(sizeof contact), 1, true};
     collide(a, b, one);

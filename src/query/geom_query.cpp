@@ -11,6 +11,7 @@
 #include "ode/ext.h"
 #include "query/candidates.h"
 #include "query/distance.h"
+#include "query/effort.h"
 #include "query/triangle_set.h"
 
 namespace epode {
@@ -44,7 +45,9 @@ GeomSeparation least(const Array<Geom*>& first, const Array<Geom*>& second, bool
             const Real max_distance = best.a ? best.distance : limit;
             if (box_gap(*a, *b) > std::max(max_distance, Real(0))) continue;
             const GeomSeparation s = separation(*a, *b, max_distance);
+            const bool cut_short = best.cut_short || s.cut_short;
             if (s.a && (!best.a || s.distance < best.distance)) best = s;
+            best.cut_short = cut_short;
         }
     return best;
 }
@@ -97,9 +100,9 @@ extern "C" int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal max_distance, dQue
     EPODE_USER(a != b && result && (usable(max_distance) || max_distance == kInf), 0);
     GeomSeparation found;
     EPODE_USER_SAY(separation_while_held(*a, *b, max_distance, found), kOutOfMemory, 0);
-    if (!found.a) return 0;
-    put(found, *result);
-    return 1;
+    if (found.a) put(found, *result);
+    if (found.cut_short) report_cut_short(__func__);
+    return found.a != nullptr;
 }
 
 extern "C" int dSpaceOverlap(dSpaceID id, dGeomID o, const dQueryFilter* given, dGeomID* geoms, int capacity)
@@ -118,10 +121,13 @@ extern "C" int dSpaceOverlap(dSpaceID id, dGeomID o, const dQueryFilter* given, 
     const GeomHold hold(*geom, called);
     const CandidateLock lock(called ? space : nullptr, near);
     int count = 0;
+    bool cut_short = false;
     for (Geom* m : near) {
-        if (!can_pair(*geom, *m) || !overlapping(*geom, *m) || !filter.keeps(to_handle(m))) continue;
+        if (!can_pair(*geom, *m) || !overlapping(*geom, *m, cut_short) || !filter.keeps(to_handle(m)))
+            continue;
         if (count < capacity) geoms[count] = to_handle(m);
         ++count;
     }
+    if (cut_short) report_cut_short(__func__);
     return count;
 }

@@ -69,8 +69,9 @@ struct Impact {
 template <typename Other>
 class Encounter {
   public:
-    Encounter(const Traveller& a, const Motion& b, Real arm_b, const Other& other_at, Real max_time)
-        : a_(a), b_(b), arm_b_(arm_b), other_at_(other_at), max_time_(max_time)
+    Encounter(const Traveller& a, const Motion& b, Real arm_b, const Other& other_at, Real max_time,
+              Effort& effort)
+        : a_(a), b_(b), arm_b_(arm_b), other_at_(other_at), max_time_(max_time), effort_(effort)
     {
         const bool together = a.motion.until == b.until;
         const Real straight =
@@ -81,6 +82,7 @@ class Encounter {
 
     Impact find(const ImpactRule& rule) const
     {
+        if (!effort_.spend(Effort::kDistance)) return {};
         const Separation begin = distance_of(a_.at(0), other_at_(0), way_ + rule.hair);
         if (!(begin.distance < kInf)) return {};
         const bool touching = begin.distance <= Real(-0.25) * rule.hair;
@@ -98,6 +100,7 @@ class Encounter {
         Real t = 0;
         Vec3 normal;
         for (int i = 0; i < kImpactAdvances; ++i) {
+            if (!effort_.spend(Effort::kDistance)) return {};
             const Separation s = distance_of(a_.at(t), other_at_(t), way_ * (1 - t) + tolerance);
             if (!(s.distance < kInf)) return {};
             normal = s.normal;
@@ -117,19 +120,20 @@ class Encounter {
     Real arm_b_;
     const Other& other_at_;
     Real max_time_, way_;
+    Effort& effort_;
 };
 
-Impact meet(const Traveller& a, const Traveller& b, const ImpactRule& rule, Real max_time)
+Impact meet(const Traveller& a, const Traveller& b, const ImpactRule& rule, Real max_time, Effort& effort)
 {
     const auto other_at = [&](Real t) { return b.at(t); };
-    return Encounter(a, b.motion, b.arm, other_at, max_time).find(rule);
+    return Encounter(a, b.motion, b.arm, other_at, max_time, effort).find(rule);
 }
 
-Impact meet(const Traveller& a, const Plane& b, const ImpactRule& rule, Real max_time)
+Impact meet(const Traveller& a, const Plane& b, const ImpactRule& rule, Real max_time, Effort& effort)
 {
     const Motion still;
     const auto other_at = [&](Real) -> const Plane& { return b; };
-    return Encounter(a, still, 0, other_at, max_time).find(rule);
+    return Encounter(a, still, 0, other_at, max_time, effort).find(rule);
 }
 
 // The path of a traveller in the surface's frame, as boxes around its pieces.
@@ -176,7 +180,7 @@ class SweptPath {
 
 // `one_sided`: a traveller that comes from behind a triangle passes.
 Real meet_surface(const Traveller& a, const Mover& surface, bool one_sided, const ImpactRule& rule,
-                  Real max_time)
+                  Real max_time, Effort& effort)
 {
     const TriangleSet set = triangles_of(surface.shape);
     const SweptPath way(a, surface);
@@ -186,9 +190,10 @@ Real meet_surface(const Traveller& a, const Mover& surface, bool one_sided, cons
     if (set.endless() && way.length_of_way() > kEndless * a.reach) return best;
     const Pose& pose = surface.shape.pose;
     for (int i = 0; i < way.pieces() && way.begin(i) < std::min(best, max_time); ++i) {
-        set.query(way.box(i), [&](const Triangle& t, int) {
+        if (!effort.spend(1)) break;
+        set.query(way.box(i), effort, [&](const Triangle& t, int) {
             const Traveller other = traveller(t, pose, surface.motion);
-            const Impact m = meet(a, other, rule, std::min(best, max_time));
+            const Impact m = meet(a, other, rule, std::min(best, max_time), effort);
             if (!(m.time < best)) return;
             const Vec3 front = surface.motion.at(m.time, pose).R * t.n;
             if (!one_sided || dot(m.normal, front) > Real(-1e-3)) best = m.time;
@@ -204,18 +209,20 @@ bool one_sided(const QueryShape& solid, const QueryShape& surface)
     return is_solid(*solid.geom) && solid.geom->type->solid->round;
 }
 
-Real solid_meets(const Mover& a, const Mover& b, const ImpactRule& rule, Real max_time)
+Real solid_meets(const Mover& a, const Mover& b, const ImpactRule& rule, Real max_time, Effort& effort)
 {
     Capsule unused;
     const Traveller solid = traveller(solid_view(a.shape, {}, 0, unused), a.motion);
     switch (kind_of(b.shape)) {
         case QueryKind::kSolid:
-            return meet(solid, traveller(solid_view(b.shape, {}, 0, unused), b.motion), rule, max_time).time;
+            return meet(solid, traveller(solid_view(b.shape, {}, 0, unused), b.motion), rule, max_time,
+                        effort)
+                .time;
         case QueryKind::kPlane:
-            return meet(solid, b.shape.as<Plane>(), rule, max_time).time;
+            return meet(solid, b.shape.as<Plane>(), rule, max_time, effort).time;
         case QueryKind::kMesh:
         case QueryKind::kField:
-            return meet_surface(solid, b, one_sided(a.shape, b.shape), rule, max_time);
+            return meet_surface(solid, b, one_sided(a.shape, b.shape), rule, max_time, effort);
         default:
             return kInf;
     }
@@ -231,7 +238,8 @@ Vec3 cloud_support(const void* shape, Vec3 direction)
     return best;
 }
 
-Real mesh_meets_plane(const Mover& a, const Plane& plane, const ImpactRule& rule, Real max_time)
+Real mesh_meets_plane(const Mover& a, const Plane& plane, const ImpactRule& rule, Real max_time,
+                      Effort& effort)
 {
     const TrimeshData& data = *a.shape.as<Trimesh>().mesh();
     if (data.mesh.vertex_count() == 0) return kInf;
@@ -241,41 +249,48 @@ Real mesh_meets_plane(const Mover& a, const Plane& plane, const ImpactRule& rule
     cloud.pose = a.shape.pose;
     const Aabb& box = data.tree.box();
     cloud.size = length(max(abs(box.lo), abs(box.hi)));
-    return meet(traveller(cloud, a.motion), plane, rule, max_time).time;
+    return meet(traveller(cloud, a.motion), plane, rule, max_time, effort).time;
 }
 
-Real mesh_meets_surface(const Mover& a, const Mover& b, const ImpactRule& rule, Real max_time)
+Real mesh_meets_surface(const Mover& a, const Mover& b, const ImpactRule& rule, Real max_time, Effort& effort)
 {
     const TriangleSet set = triangles_of(a.shape);
     const bool field = kind_of(b.shape) == QueryKind::kField;
     Real best = kInf;
-    for (int t = 0; t < set.count(); ++t) {
+    look_at_each(set.count(), effort, [&](int t, Effort& share) {
         Triangle triangle;
-        if (!set.triangle(t, triangle)) continue;
+        if (!set.triangle(t, triangle)) return;
         const Traveller flat = traveller(triangle, a.shape.pose, a.motion);
-        best = std::min(best, meet_surface(flat, b, field, rule, std::min(best, max_time)));
-    }
+        best = std::min(best, meet_surface(flat, b, field, rule, std::min(best, max_time), share));
+    });
     return best;
+}
+
+Real time_in_order(const Mover& a, const Mover& b, const ImpactRule& rule, Real max_time, Effort& effort)
+{
+    const QueryKind x = kind_of(a.shape), y = kind_of(b.shape);
+    if (x == QueryKind::kSolid) return solid_meets(a, b, rule, max_time, effort);
+    if (x != QueryKind::kMesh) return kInf;
+    switch (y) {
+        case QueryKind::kSolid:
+            return solid_meets(b, a, rule, max_time, effort);
+        case QueryKind::kPlane:
+            return mesh_meets_plane(a, b.shape.as<Plane>(), rule, max_time, effort);
+        case QueryKind::kMesh:
+        case QueryKind::kField:
+            return mesh_meets_surface(a, b, rule, max_time, effort);
+        default:
+            return kInf;
+    }
 }
 
 }  // namespace
 
-Real time_of_impact(const Mover& a, const Mover& b, const ImpactRule& rule, Real max_time)
+ImpactTime time_of_impact(const Mover& a, const Mover& b, const ImpactRule& rule, Real max_time)
 {
-    const QueryKind x = kind_of(a.shape), y = kind_of(b.shape);
-    if (x == QueryKind::kSolid) return solid_meets(a, b, rule, max_time);
-    if (x != QueryKind::kMesh) return kInf;
-    switch (y) {
-        case QueryKind::kSolid:
-            return solid_meets(b, a, rule, max_time);
-        case QueryKind::kPlane:
-            return mesh_meets_plane(a, b.shape.as<Plane>(), rule, max_time);
-        case QueryKind::kMesh:
-        case QueryKind::kField:
-            return mesh_meets_surface(a, b, rule, max_time);
-        default:
-            return kInf;
-    }
+    Effort effort(mesh_triangles(a.shape) + mesh_triangles(b.shape));
+    const Real time = time_in_order(a, b, rule, max_time, effort);
+    return {time, effort.is_cut_short()};
 }
 
 Real half_thickness(const QueryShape& shape)

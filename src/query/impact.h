@@ -18,6 +18,7 @@
 // Rejected: casting a shrunken core of the moving solid. Its edges would be passed.
 #pragma once
 
+#include "query/effort.h"
 #include "query/motion.h"
 #include "query/query_shape.h"
 
@@ -33,8 +34,12 @@ struct ImpactRule {
     bool held;  // a contact joint acts between the two
 };
 
-// 0 ... most; kInf: they do not meet by then. `a` is a solid or a mesh, and neither is a ray.
-Real time_of_impact(const Mover& a, const Mover& b, const ImpactRule& rule, Real max_time);
+struct ImpactTime {
+    Real time;       // 0 ... most; kInf: they do not meet by then
+    bool cut_short;  // parts of the two were not looked at (effort.h)
+};
+// `a` is a solid or a mesh, and neither is a ray.
+ImpactTime time_of_impact(const Mover& a, const Mover& b, const ImpactRule& rule, Real max_time);
 
 // The radius of an inscribed ball; for a mesh, half its thickness; never 0. kInf for a geom without a far
 // side.

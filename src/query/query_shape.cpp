@@ -80,6 +80,11 @@ TriangleSet triangles_of(const QueryShape& t)
                                        : TriangleSet(*t.as<Heightfield>().field());
 }
 
+int mesh_triangles(const QueryShape& t)
+{
+    return kind_of(t) == QueryKind::kMesh ? t.as<Trimesh>().mesh()->mesh.triangle_count() : 0;
+}
+
 ConvexView in_frame(const Pose& frame, const ConvexView& v)
 {
     ConvexView out = v;

@@ -51,6 +51,8 @@ void to_world(const Pose& frame, Separation& s);
 
 // The triangles of a mesh or a height field.
 TriangleSet triangles_of(const QueryShape& shape);
+// Of a mesh; 0 for what is none.
+int mesh_triangles(const QueryShape& shape);
 
 // True if the pair functions find a solid or a mesh below the surface of a height field. `out` is in world
 // coordinates.

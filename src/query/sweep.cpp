@@ -67,7 +67,8 @@ SweepHit sweep_plane(const ConvexView& a, const Way& way, const Plane& b, Real l
 }
 
 // All in the frame of the triangles.
-SweepHit sweep_triangles(const ConvexView& a, const Way& way, const TriangleSet& b, Real limit)
+SweepHit sweep_triangles(const ConvexView& a, const Way& way, const TriangleSet& b, Real limit,
+                         Effort& effort)
 {
     SweepHit best;
     const Aabb around = grown(box_around(a), touch_of(a));
@@ -78,10 +79,12 @@ SweepHit sweep_triangles(const ConvexView& a, const Way& way, const TriangleSet&
         const Real to = std::min(from + piece, limit);
         const Vec3 first = from * way.along, last = to * way.along;
         const Aabb swept = {around.lo + min(first, last), around.hi + max(first, last)};
-        b.query(swept, [&](const Triangle& t, int side) {
+        if (!effort.spend(1)) break;
+        b.query(swept, effort, [&](const Triangle& t, int side) {
             const ConvexView view = view_of(t);
             const Real max_distance = best.distance < limit ? best.distance : limit;
             SweepHit hit = advance(way, max_distance, touch_of(a), [&](Real at, Real reach) {
+                if (!effort.spend(Effort::kDistance)) return Separation{};
                 return separation(moved(a, at * way.along), view, reach);
             });
             hit.side = side;
@@ -94,8 +97,10 @@ SweepHit sweep_triangles(const ConvexView& a, const Way& way, const TriangleSet&
 
 SweepHit sweep_surface(const ConvexView& a, const Way& way, const QueryShape& surface, Real limit)
 {
+    Effort effort(mesh_triangles(surface));
     const Way local = {transposed_times(surface.pose.R, way.along), way.length};
-    SweepHit hit = sweep_triangles(in_frame(surface.pose, a), local, triangles_of(surface), limit);
+    SweepHit hit = sweep_triangles(in_frame(surface.pose, a), local, triangles_of(surface), limit, effort);
+    hit.cut_short = effort.is_cut_short();
     hit.pos = surface.pose.to_world(hit.pos);
     hit.normal = surface.pose.R * hit.normal;
     return hit;

@@ -28,6 +28,7 @@ struct SweepHit {
     Vec3 pos, normal;      // normal: from the other into the solid
     int side = -1;
     Geom* named = nullptr;
+    bool cut_short = false;  // parts of the other were not looked at (effort.h)
 
     bool before(const SweepHit& o) const
     {

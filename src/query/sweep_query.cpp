@@ -9,6 +9,7 @@
 #include "collide/types/registry.h"
 #include "ode/ext.h"
 #include "query/candidates.h"
+#include "query/effort.h"
 #include "query/sweep.h"
 #include "query/triangle_set.h"
 
@@ -40,7 +41,9 @@ SweepHit nearest(Geom& solid, const Way& way, const Array<Geom*>& others, const 
         // Below the box of a height field is ground.
         if (m->type->number != dHeightfieldClass && !boxes_may_meet(box, way, box_of(*m), limit)) continue;
         const SweepHit hit = sweep(solid, way, *m, limit);
+        const bool cut_short = best.cut_short || hit.cut_short;
         if (hit.distance < best.distance && filter.keeps(to_handle(hit.named))) best = hit;
+        best.cut_short = cut_short;
     }
     return best;
 }
@@ -84,6 +87,7 @@ extern "C" int dGeomCast(dGeomID o, const dVector3 motion, dGeomID other_id, dQu
     const GeomHold hold(*solid, called), hold_other(*other, called);
     const SweepHit found = sweep(*solid, way, *other, way.length);
     put(found, *hit);
+    if (found.cut_short) report_cut_short(__func__);
     return found.distance < kInf;
 }
 
@@ -107,5 +111,6 @@ extern "C" int dSpaceCast(dSpaceID id, dGeomID o, const dVector3 motion, const d
     const CandidateLock lock(called ? space : nullptr, near);
     const SweepHit found = nearest(*solid, way, near, filter);
     put(found, *hit);
+    if (found.cut_short) report_cut_short(__func__);
     return found.distance < kInf;
 }

@@ -47,7 +47,7 @@ bool TriangleSet::facet_or_wall(int t, Triangle& out) const
 {
     const Terrain terrain(*field_);
     const bool face = t < facets();
-    const int facet = face ? t : (t - facets()) / 4, columns = field_->nx - 1;
+    const int facet = face ? t : int(t - facets()) / 4, columns = field_->nx - 1;
     const int i = facet / 2 % columns, j = facet / 2 / columns;
     if (terrain.hole(i, j)) return false;
     const Facet f = terrain.facet(i, j, (facet & 1) != 0);
@@ -55,31 +55,27 @@ bool TriangleSet::facet_or_wall(int t, Triangle& out) const
         out = f;
         return true;
     }
-    const int rest = (t - facets()) % 4, k = rest & 2;
+    const int rest = int(t - facets()) % 4, k = rest & 2;
     Triangle wall[2];
     if (!terrain.hole_beyond(f, k) || !terrain.wall_below(f, k, wall)) return false;
     out = wall[rest & 1];
     return true;
 }
 
-void TriangleSet::cells_under(const Aabb& box, int* first, int* last) const
+TriangleSet::CellRange TriangleSet::cells_under(const Aabb& box, int axis) const
 {
     const Terrain terrain(*field_);
-    const Vec3 o = terrain.low_corner(), cell = terrain.cell();
-    const int counts[2] = {terrain.cells_x(), terrain.cells_z()};
-    for (int a = 0; a < 2; ++a) {
-        const int axis = 2 * a;
-        const Real least = endless() ? -kMostCells : 0;
-        const Real highest = endless() ? kMostCells : Real(counts[a] - 1);
-        first[a] = int(std::clamp(std::floor((box.lo[axis] - o[axis]) / cell[axis]), least, highest));
-        last[a] = int(std::clamp(std::floor((box.hi[axis] - o[axis]) / cell[axis]), least, highest));
-    }
+    const Real origin = terrain.low_corner()[axis], cell = terrain.cell()[axis];
+    const int count = axis == 0 ? terrain.cells_x() : terrain.cells_z();
+    const Real least = endless() ? -kMostCells : 0, highest = endless() ? kMostCells : Real(count - 1);
+    return {int(std::clamp(std::floor((box.lo[axis] - origin) / cell), least, highest)),
+            int(std::clamp(std::floor((box.hi[axis] - origin) / cell), least, highest))};
 }
 
-int TriangleSet::number(int i, int j, bool upper) const
+std::int64_t TriangleSet::number(int i, int j, bool upper) const
 {
     const int columns = field_->nx - 1, rows = field_->nz - 1;
-    return 2 * (wrapped(i, columns) + wrapped(j, rows) * columns) + (upper ? 1 : 0);
+    return 2 * (wrapped(i, columns) + std::int64_t(wrapped(j, rows)) * columns) + (upper ? 1 : 0);
 }
 
 }  // namespace epode

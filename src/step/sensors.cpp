@@ -29,9 +29,9 @@ bool may_report(const World& world, Geom& sensor, Geom& other)
 
 }  // namespace
 
-bool Sensors::update(const World& world, Space* space, EventList& out)
+bool Sensors::update(const World& world, Space* space, CutShort& cut_short, EventList& out)
 {
-    if (!find(world, space)) return false;
+    if (!find(world, space, cut_short)) return false;
     report_changes(out);
     overlaps_.swap(found_);
     return true;
@@ -40,12 +40,13 @@ bool Sensors::update(const World& world, Space* space, EventList& out)
 bool Sensors::restart(const World& world, Space* space)
 {
     edition_ = ~0ull;
-    const bool found = find(world, space);
+    CutShort unsaid;
+    const bool found = find(world, space, unsaid);
     if (found) overlaps_.swap(found_);
     return found;
 }
 
-bool Sensors::find(const World& world, Space* space)
+bool Sensors::find(const World& world, Space* space, CutShort& cut_short)
 {
     found_.clear();
     if (!space || !any_sensor()) {
@@ -63,7 +64,7 @@ bool Sensors::find(const World& world, Space* space)
     space_ = nullptr;  // until all has been found
     if (!as_before && !list_sensors(*space)) return false;
     for (Geom* sensor : sensors_)
-        if (is_of(world, *sensor) && !look_around(world, *space, *sensor)) return false;
+        if (is_of(world, *sensor) && !look_around(world, *space, *sensor, cut_short)) return false;
     std::sort(found_.begin(), found_.end(), [](const Overlap& a, const Overlap& b) { return a.before(b); });
     space_ = space, structure_ = structure, edition_ = space->edition;
     return true;
@@ -75,7 +76,7 @@ bool Sensors::list_sensors(Space& space)
     return each_candidate(space, [&](Geom& geom) { return !geom.sensor || sensors_.push(&geom); });
 }
 
-bool Sensors::look_around(const World& world, Space& space, Geom& sensor)
+bool Sensors::look_around(const World& world, Space& space, Geom& sensor, CutShort& cut_short)
 {
     if (!sensor.enabled) return true;
     const QueryFilter filter{sensor.category, sensor.collide};
@@ -85,7 +86,11 @@ bool Sensors::look_around(const World& world, Space& space, Geom& sensor)
     const GeomHold hold(sensor, called);
     const CandidateLock lock(called ? &space : nullptr, near_);
     for (Geom* other : near_) {
-        if (other == &sensor || !may_report(world, sensor, *other) || !overlapping(sensor, *other)) continue;
+        if (other == &sensor || !may_report(world, sensor, *other)) continue;
+        bool is_part = false;
+        const bool overlaps = overlapping(sensor, *other, is_part);
+        if (is_part) cut_short.add(sensor, *other, "a sensor");
+        if (!overlaps) continue;
         if (!found_.push({sensor.serial, other->serial, to_handle(&sensor), to_handle(other)})) return false;
     }
     return true;

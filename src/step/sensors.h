@@ -13,6 +13,7 @@
 #include "collide/space.h"
 #include "contacts/event_list.h"
 #include "dynamics/world.h"
+#include "step/common/cut_short.h"
 
 namespace epode {
 
@@ -20,7 +21,7 @@ class Sensors {
   public:
     // The overlaps now, in the space of the world (null: none); events about what has changed go to `out`.
     // False: out of memory, and the overlaps are those of before.
-    [[nodiscard]] bool update(const World& world, Space* space, EventList& out);
+    [[nodiscard]] bool update(const World& world, Space* space, CutShort& cut_short, EventList& out);
     // The same without events.
     [[nodiscard]] bool restart(const World& world, Space* space);
     void clear()
@@ -41,9 +42,9 @@ class Sensors {
         }
     };
 
-    [[nodiscard]] bool find(const World& world, Space* space);
+    [[nodiscard]] bool find(const World& world, Space* space, CutShort& cut_short);
     [[nodiscard]] bool list_sensors(Space& space);
-    [[nodiscard]] bool look_around(const World& world, Space& space, Geom& sensor);
+    [[nodiscard]] bool look_around(const World& world, Space& space, Geom& sensor, CutShort& cut_short);
     void report_changes(EventList& out) const;
 
     Array<Overlap> overlaps_, found_;  // of the last step, of this one; sorted

@@ -90,7 +90,7 @@ class WorldStep {
           memory_(memory),
           workers_(workers),
           undo_(context.undo),
-          continuous_(context.world, undo_, state.continuous, memory_.arena(0), context.h),
+          continuous_(context.world, undo_, state.continuous, state.cut_short, memory_.arena(0), context.h),
           finish_(continuous_, state.world_contacts.live_space(), state.runaways, workers.of_islands)
     {}
 
@@ -456,11 +456,12 @@ bool step_in(World& world, StepState& state, StepMemory& memory, const Solver* s
         step.deactivate_sleeping();
         step.finish();
         clear_sleeping_forces(world);
-        if (state.events.list().wants_any()) state.events.end_step(world, state.world_contacts.live_space());
+        if (state.events.list().wants_any())
+            state.events.end_step(world, state.world_contacts.live_space(), state.cut_short);
         if (world.report_wanted) world.report = sum_of(state.reports.span());
     } else {
         step.take_back();
-        state.runaways.take_back();
+        state.runaways.take_back(), state.cut_short.take_back();
         if (context.solver.draws) ProcessRandom::set_state(random);
         forget_loads(world);
     }
@@ -516,8 +517,10 @@ bool step_world_hybrid(World& world, Real h, StepMemory* lent)
     return step_with(world, nullptr, h, 0, lent);
 }
 
-void report_runaways(World& world)
+void report_unusual(World& world)
 {
+    if (world.step_state) world.step_state->cut_short.report(world);
+    // Its handler may have destroyed the world.
     if (world.step_state) world.step_state->runaways.report(world);
 }
 

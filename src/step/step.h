@@ -14,6 +14,7 @@
 #include "solve/solver.h"
 #include "step/common/contact_cache.h"
 #include "step/common/continuous.h"
+#include "step/common/cut_short.h"
 #include "step/common/runaway.h"
 #include "step/common/undo.h"
 #include "step/finish.h"
@@ -63,6 +64,7 @@ struct StepState {
     Array<Body*> unsupported;     // bodies that the present step has woken
     WorldEvents events;
     Runaways runaways;
+    CutShort cut_short;
     Array<dIslandStepReport> reports;  // of the last step's islands, when they were wanted
     Array<dEnergyLedger> ledgers;      // likewise
     bool ledger_wanted = false, ledger_made = false;
@@ -95,8 +97,8 @@ bool step_world_hybrid(World& world, Real h, StepMemory* lent = nullptr);
 // The world's StepState, created if it has none; null when memory is exhausted.
 StepState* step_state(World& world);
 
-// To be called after steps, when nothing of them is left on the stack (common/runaway.h).
-void report_runaways(World& world);
+// To be called after steps, when nothing of them is left on the stack (common/runaway.h, common/cut_short.h).
+void report_unusual(World& world);
 
 // Of the last step; empty when no report was made.
 std::span<const dIslandStepReport> island_reports(const World& world);

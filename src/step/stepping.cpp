@@ -17,7 +17,7 @@ void settle_bodies(World& world, StepState& state)
     StepUnderway& step = state.underway;
     if (step.made) return finish_silently(step.unfinished, state.runaways);
     state.contacts.take_back();
-    state.runaways.take_back();
+    state.runaways.take_back(), state.cut_short.take_back();
     forget_loads(world);
     if (step.ran) step.undo->restore();
     for (Body& body : world.bodies) {

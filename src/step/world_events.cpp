@@ -41,9 +41,9 @@ void WorldEvents::list_breaks(const World& world)
     }
 }
 
-void WorldEvents::end_step(const World& world, Space* space)
+void WorldEvents::end_step(const World& world, Space* space, CutShort& cut_short)
 {
-    if (list_.wants_sensors() && !sensors_.update(world, space, list_)) list_.lose();
+    if (list_.wants_sensors() && !sensors_.update(world, space, cut_short, list_)) list_.lose();
     list_.sort();
 }
 

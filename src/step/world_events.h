@@ -25,7 +25,7 @@ class WorldEvents {
 
     // `contacts`: null if the step had nothing to do with them.
     void begin_step(const World& world, const ContactWorld* contacts);
-    void end_step(const World& world, Space* space);
+    void end_step(const World& world, Space* space, CutShort& cut_short);
     // The world has been given a state.
     void restart(const World& world, Space* space);
 

@@ -268,7 +268,8 @@ void Continuous::meet(const Item& a, Geom& other, int other_body)
     // As long as one of those that can be stopped is on its way.
     Real until = group_of(a.body).until;
     if (stops_too) until = std::max(until, group_of(other_body).until);
-    const Real time = time_of_impact(moving, met, rule, until);
+    const auto [time, cut_short] = time_of_impact(moving, met, rule, until);
+    if (cut_short) cut_short_.add(*a.geom, other, "continuous collision");
     if (!(time < until)) return;
     stop(a.body, time, moves && !stops_too ? other_body : -1);
     if (stops_too) stop(other_body, time, -1);

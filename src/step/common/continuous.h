@@ -19,6 +19,7 @@
 #include "collide/geom.h"
 #include "dynamics/island.h"
 #include "query/impact.h"
+#include "step/common/cut_short.h"
 #include "step/common/undo.h"
 
 namespace epode {
@@ -34,8 +35,9 @@ struct ContinuousLists {
 
 class Continuous {
   public:
-    Continuous(World& world, const StepUndo& undo, ContinuousLists& lists, Arena& arena, Real h)
-        : world_(world), undo_(undo), lists_(lists), arena_(arena), h_(h)
+    Continuous(World& world, const StepUndo& undo, ContinuousLists& lists, CutShort& cut_short, Arena& arena,
+               Real h)
+        : world_(world), undo_(undo), lists_(lists), cut_short_(cut_short), arena_(arena), h_(h)
     {}
 
     // False: out of memory; the caller must then restore the poses of all bodies.
@@ -86,6 +88,7 @@ class Continuous {
     World& world_;
     const StepUndo& undo_;
     ContinuousLists& lists_;
+    CutShort& cut_short_;
     Arena& arena_;
     Real h_;
     std::span<State> states_;
