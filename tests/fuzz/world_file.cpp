@@ -47,6 +47,23 @@ void destroy(dWorldID world, dSpaceID space)
     for (const dHeightfieldDataID field : fields) dGeomHeightfieldDataDestroy(field);
 }
 
+// What was loaded goes on in every stepper, and what is saved after that can be loaded.
+void go_on(dWorldID world, dSpaceID space)
+{
+    constexpr dReal kStep = dReal(0.01);
+    dWorldSetStepThreads(world, 1);  // else it would be threads that take the time
+    dWorldStepFast1(world, kStep, 4);
+    dWorldQuickStep(world, kStep);
+    dWorldStepHybrid(world, kStep);
+    dWorldStep(world, kStep);
+    Bytes again(dWorldSaveToBuffer(world, space, nullptr, 0));
+    if (dWorldSaveToBuffer(world, space, again.data(), again.size()) != again.size() || again.empty()) return;
+    dSpaceID its = nullptr;
+    const dWorldID copy = dWorldLoadFromBuffer(again.data(), again.size(), &its);
+    if (!copy) std::abort();
+    destroy(copy, its);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
@@ -72,8 +89,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     };
     const dWorldID world = load();
     if (!world) return 0;
-    dWorldSetStepThreads(world, 1);  // else it would be threads that take the time
-    if (steps) dWorldStepFast1(world, dReal(0.01), 4);
+    if (steps) go_on(world, space);
     destroy(world, space);
     return 0;
 }
