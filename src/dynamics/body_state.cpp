@@ -142,11 +142,11 @@ void watch_state(Body& body, StateStream& stream)
                               (lasting.still ? kLongStill : 0u) |
                               (begins_here(body, brief) ? kShortHere : 0u) |
                               (begins_here(body, lasting) ? kLongHere : 0u);
-    const std::uint32_t bits = stream.unusual({{&body.idle_time_left, body.sleep.time, true},
-                                               {&body.settling_time, 0},
-                                               {&brief.time, 0},
-                                               {&lasting.time, 0}},
-                                              own);
+    const std::uint32_t bits =
+        stream.unusual({StateStream::computed(body.idle_time_left, body.sleep.time, true),
+                        StateStream::computed(body.settling_time, 0), StateStream::computed(brief.time, 0),
+                        StateStream::computed(lasting.time, 0)},
+                       own);
     const auto steps = int(stream.word(std::uint32_t(body.idle_steps_left)));
     if (stream.stores()) body.world->watches_bodies = true;
     window(body, brief, bits & kShortHere, stream);

@@ -38,7 +38,7 @@ void state(Joint& joint, int number, StateStream& stream)
                                                {&d.force, 0},
                                                {&d.force_limit, 0, true, 0},
                                                {&position, 0},
-                                               {&axis.force, 0}},
+                                               StateStream::computed(axis.force, 0)},
                                               axis.driven ? kAxisDriven : 0);
     if (!stream.stores()) return;
     axis.driven = bits & kAxisDriven;

@@ -5,8 +5,6 @@
 // sensors, continuous geoms, queries, presets, many worlds at once. Whether a call is legal often follows from more than the
 // model knows, so the library's answer is taken (TRY), and its promises about the answer are compared: a state that was taken is there,
 // steps that were taken back leave nothing, what was saved can be loaded.
-#include <cmath>
-
 #include "attempt.h"
 
 namespace epode::sequences {
@@ -52,26 +50,10 @@ void Player::use_states(Dice& dice)
     if (result < 0) fail("w[%d]: a state is not what it was", world->number);
 }
 
-namespace {
-
-// A file takes no numbers that are beyond all sense, which forces of 1e9 N reach in a few steps.
-bool runs_away(const World& world)
-{
-    constexpr dReal kFastest = dReal(1e10);
-    const auto is_fast = [](const Body* body) {
-        const dReal *v = dBodyGetLinearVel(body->id), *w = dBodyGetAngularVel(body->id);
-        return std::any_of(v, v + 3, [](dReal x) { return !(std::abs(x) < kFastest); }) ||
-               std::any_of(w, w + 3, [](dReal x) { return !(std::abs(x) < kFastest); });
-    };
-    return std::any_of(world.bodies.begin(), world.bodies.end(), is_fast);
-}
-
-}  // namespace
-
 void Player::copy_world(Dice& dice)
 {
     World* world = any(model.worlds.living(), dice);
-    if (!world || runs_away(*world)) return;
+    if (!world) return;
     const AsSpace space{world->contacts && world->contacts->alive ? nullptr
                         : dice.chance(70)                         ? any_space(dice)
                                                                   : nullptr};

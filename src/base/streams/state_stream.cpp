@@ -17,6 +17,7 @@ void StateStream::number(const Number& n)
     const auto judge = [&](const std::byte* from) {
         Real x;
         std::memcpy(&x, from, sizeof x);
+        if (n.computed) return within(x, n.infinite ? kInf : std::numeric_limits<Real>::max());
         return (n.infinite ? usable_or_infinite(x) : usable(x)) && x >= n.least;
     };
     bytes(n.value, sizeof(Real), judge);

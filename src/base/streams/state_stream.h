@@ -117,7 +117,13 @@ class StateStream : public FirstFault {
         Real usual;
         bool infinite = false;  // is allowed
         Real least = -kInf;
+        bool computed = false;  // by steps, which may go beyond what a program may set
     };
+    // What steps have computed: any finite number, or infinite ones as well.
+    static Number computed(Real& value, Real usual, bool infinite = false)
+    {
+        return {&value, usual, infinite, -kInf, true};
+    }
     // At most 16 numbers that have their usual value in most objects, and 16 bits, which are returned as
     // saved: only unusual numbers take space.
     std::uint32_t unusual(std::initializer_list<Number> numbers, std::uint32_t bits = 0);

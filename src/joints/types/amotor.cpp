@@ -73,7 +73,8 @@ struct AMotor : LastingJoint {
     void state(StateStream& stream)
     {
         for (LimitMotor& m : motor) m.state(*world, stream);
-        stream.unusual({{&angle[0], 0}, {&angle[1], 0}, {&angle[2], 0}});
+        const auto computed = [](Real& x) { return StateStream::computed(x, 0); };
+        stream.unusual({computed(angle[0]), computed(angle[1]), computed(angle[2])});
     }
     void structure(StructureStream& stream)
     {

@@ -94,8 +94,10 @@ void Transmission::state(StateStream& stream)
     for (Vec3* v : {&axis_local[0], &axis_local[1], &spoke_local[0], &spoke_local[1], &mesh.line,
                     &mesh.contact[0], &mesh.contact[1]})
         stream.reals(&v->x, 3);
-    stream.unusual({{&ratio, 1}, {&backlash, 0, false, 0}, {&radius[0], 0}, {&radius[1], 0}});
-    stream.unusual({{&angle[0], 0}, {&angle[1], 0}, {&zero_slip, 0}});
+    const auto computed = [](Real& x, Real usual) { return StateStream::computed(x, usual); };
+    stream.unusual(
+        {computed(ratio, 1), {&backlash, 0, false, 0}, computed(radius[0], 0), computed(radius[1], 0)});
+    stream.unusual({computed(angle[0], 0), computed(angle[1], 0), computed(zero_slip, 0)});
     const std::uint32_t bits = stream.word((fresh ? 1u : 0u) | (regeared ? 2u : 0u));
     if (stream.stores()) fresh = bits & 1, regeared = bits & 2;
     softness.state(*world, stream);
