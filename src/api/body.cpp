@@ -10,6 +10,7 @@
 #include "ode/ode.h"
 #include "state/world_archive.h"
 #include "step/common/link.h"
+#include "step/step.h"
 
 using namespace epode;
 
@@ -30,6 +31,16 @@ void twist(Body& body, Vec3 t)
     store(body.tacc, load(body.tacc) + t);
     note_forces(body);
 }
+
+// Has a step of its world chosen what it does with its bodies, and not yet done it? From inside a contact filter, a
+// collider or a threading function.
+bool is_being_stepped(const Body& body)
+{
+    const StepState* const step = body.world->step_state;
+    return is_busy(*body.world) && step && step->underway.memory && !step->underway.made;
+}
+
+constexpr const char* kDuringStep = "a body cannot become kinematic or dynamic while its world is stepped";
 
 }  // namespace
 
@@ -169,6 +180,7 @@ void dBodySetMass(dBodyID b, const dMass* mass)
     const FloatEnvironment floats;
     BODY_OR();
     EPODE_USER(mass);
+    EPODE_USER_SAY(!body->kinematic() || !is_being_stepped(*body), kDuringStep);
     EPODE_USER_SAY(max_component(abs(load(mass->c))) <= kEpsilon, "The centre of mass must be at the origin");
     EPODE_USER_SAY(set_mass(*body, *mass), "The mass must be positive and its inertia positive definite");
 }
@@ -183,6 +195,7 @@ void dBodyGetMass(dBodyID b, dMass* mass)
 void dBodySetDynamic(dBodyID b)
 {
     BODY_OR();
+    EPODE_USER_SAY(!is_being_stepped(*body), kDuringStep);
     set_dynamic(*body);
     wake_sleeper(*body);
 }
@@ -190,6 +203,7 @@ void dBodySetDynamic(dBodyID b)
 void dBodySetKinematic(dBodyID b)
 {
     BODY_OR();
+    EPODE_USER_SAY(!is_being_stepped(*body), kDuringStep);
     set_kinematic(*body);
     wake_sleeper(*body);
 }

@@ -478,11 +478,14 @@ TEST_F(Callbacks, contact_filter_keeps_world_and_space)
         dSpaceAdd(space, lone);
         dBodySetPosition(body, 5, 5, 5);
         expect_refused(8);
+        dBodySetKinematic(body), dBodySetDynamic(body);  // its contacts have been chosen
+        expect_refused(2);
         EXPECT_NE(dBodyCreate(world), nullptr);
         expect_refused(0);
     };
     EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
     EXPECT_FALSE(g_act) << "the filter came";
+    EXPECT_FALSE(dBodyIsKinematic(body));
     EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
     expect_refused(0);
 }

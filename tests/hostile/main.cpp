@@ -70,8 +70,7 @@ int run(const Options& o, std::size_t first, std::size_t step)
         for (std::size_t i = first; i < all.size(); i += step) {
             if (!o.wants(all[i])) continue;
             runner.run(all[i], budget * 9 / 10);
-            for (int phase = 1; phase <= int(Runner::Phase::kEnd); ++phase)
-                runner.run_inside(all[i], Runner::Phase(phase), runner.share(budget, 70));
+            for (const Phase& phase : phases()) runner.run_inside(all[i], phase, runner.share(budget, 120));
         }
         // Functions with few combinations have left something over.
         while (!o.each && !o.only && runner.tally().calls < o.calls / o.parts) runner.run_any(100);

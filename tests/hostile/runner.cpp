@@ -87,16 +87,7 @@ std::string Runner::described(const Function& f) const
                     s += std::string(" ") + name_of(kind) + " " + std::to_string(k);
         }
     }
-    static constexpr const char* kInside[] = {"",
-                                              " inside a near callback",
-                                              " inside a moved callback",
-                                              " inside a box function",
-                                              " inside a box test",
-                                              " inside a collider",
-                                              " inside a height function",
-                                              " inside a triangle function",
-                                              " inside a destructor function"};
-    return s + ")" + kInside[int(phase_)];
+    return s + ")" + (phase_ ? phase_->name : "");
 }
 
 void Runner::fault(const Function& f, const std::string& rule)
@@ -160,7 +151,7 @@ void Runner::call_and_judge(const Function& f, const Choice& choice)
     called_ = true;
     for (int i = 0; i < f.count; ++i)
         arguments_[i] = values_.get(f.parameters[i].kind, choice[std::size_t(i)], i);
-    const std::uint64_t before = phase_ == Phase::kTop ? hash_ : state_.hash(nullptr);
+    const std::uint64_t before = !phase_ ? hash_ : state_.hash(nullptr);
     const long blocks = blocks_held();
     messages() = {};
     last_words([this, &f] { return described(f); });
@@ -188,11 +179,11 @@ void Runner::call_and_judge(const Function& f, const Choice& choice)
         restore_handlers();
         reset_ = true;
     }
-    if (phase_ == Phase::kTop && hostile_broken_invariant)
+    if (!phase_ && hostile_broken_invariant)
         if (const char* broken = hostile_broken_invariant(scene_)) fault(f, std::string("breaks ") + broken);
     // From inside some functions nothing can be destroyed.
     result_ = result;
-    if (phase_ == Phase::kTop) give_back(f, arguments_, result);
+    if (!phase_) give_back(f, arguments_, result);
 }
 
 bool Runner::perform(const Function& f, const Choice& choice)
@@ -358,48 +349,7 @@ void Runner::run(const Function& f, long budget)
 // ---- inside functions of the program ----
 
 // Lets the library call a function of the program, which makes the call.
-void Runner::enter(Phase phase)
-{
-    switch (phase) {
-        case Phase::kTop:
-            return;
-        case Phase::kNear:
-            dSpaceCollide(scene_.space, nullptr, near_nothing);
-            return;
-        case Phase::kMoved:
-            dWorldStep(scene_.world, dReal(0.01));
-            return;
-        case Phase::kBox:
-            dGeomMoved(scene_.user_geom);
-            dGeomMoved(scene_.tested_geom);
-            if (random() % 2) {
-                dSpaceClean(scene_.space);
-            } else {
-                dReal box[6];
-                dGeomGetAABB(scene_.tested_geom, box);
-            }
-            return;
-        case Phase::kBoxTest:
-            dSpaceCollide2(reinterpret_cast<dGeomID>(scene_.space), scene_.tested_geom, nullptr,
-                           near_nothing);
-            return;
-        case Phase::kCollider:
-        case Phase::kHeight:
-        case Phase::kMesh: {
-            dContactGeom contacts[4];
-            const dGeomID other = phase == Phase::kMesh     ? scene_.mesh
-                                  : phase == Phase::kHeight ? scene_.high_ground
-                                                            : scene_.tested_geom;
-            dCollide(other, scene_.probe, 4, contacts, sizeof contacts[0]);
-            return;
-        }
-        case Phase::kEnd:
-            dGeomDestroy(random() % 2 ? scene_.user_geom : scene_.tested_geom);
-            return;
-    }
-}
-
-void Runner::run_inside(const Function& f, Phase phase, long budget)
+void Runner::run_inside(const Function& f, const Phase& phase, long budget)
 {
     struct Order {
         Runner* runner;
@@ -410,7 +360,7 @@ void Runner::run_inside(const Function& f, Phase phase, long budget)
         auto* o = static_cast<Order*>(data);
         o->runner->call_and_judge(*o->function, o->choice);
     };
-    phase_ = phase;
+    phase_ = &phase;
     if (f.count == 0) budget = std::min(budget, 4l);  // always the same call
     for (long n = 0; n < budget; ++n) {
         order.choice.clear();
@@ -421,19 +371,15 @@ void Runner::run_inside(const Function& f, Phase phase, long budget)
             order.choice.push_back(below(below(4) ? live : all));
         }
         called_ = false;
-        Hook hook{act, &order};
-        Hook* const hooks[] = {nullptr,         &g_hooks.near,     &g_hooks.moved,
-                               &g_hooks.box,    &g_hooks.box_test, &g_hooks.collider,
-                               &g_hooks.height, &g_hooks.mesh,     &g_hooks.end};
-        *hooks[int(phase)] = hook;
-        enter(phase);
+        g_hooks.*phase.hook = {act, &order};
+        phase.enter(scene_, random() % 2);
         g_hooks = {};
         if (called_) give_back(f, arguments_, result_);
         if (!called_) fault(f, "the library did not call the program");
         if (accepted_ && n % 4 == 0) go_on(f);
         rebuild();
     }
-    phase_ = Phase::kTop;
+    phase_ = nullptr;
 }
 
 void Runner::report() const

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "phases.h"
 #include "state.h"
 #include "values.h"
 
@@ -44,8 +45,7 @@ class Runner {
     void run_any(long budget);
 
     // The same from inside a function of the program that the library calls.
-    enum class Phase { kTop, kNear, kMoved, kBox, kBoxTest, kCollider, kHeight, kMesh, kEnd };
-    void run_inside(const Function& function, Phase phase, long budget);
+    void run_inside(const Function& function, const Phase& phase, long budget);
 
     // A part of the budget, rounded up or down by chance.
     long share(long budget, int parts) { return (budget + below(parts)) / parts; }
@@ -73,7 +73,6 @@ class Runner {
     void call_and_judge(const Function& f, const Choice& choice);
     void judge_refused(const Function& f, const Result& r, long blocks);
     void judge_accepted(const Function& f, const Result& r);
-    void enter(Phase phase);
     void set_scene_for(const Function& f);
     void rebuild();
     void go_on(const Function& f);
@@ -92,7 +91,7 @@ class Runner {
     Value arguments_[kMostParameters];
     Result result_;
     bool accepted_ = false, changed_ = false, called_ = false, reset_ = false;
-    Phase phase_ = Phase::kTop;
+    const Phase* phase_ = nullptr;  // null: at the top
 };
 
 }  // namespace hostile

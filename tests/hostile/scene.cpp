@@ -93,6 +93,7 @@ Messages g_messages;
 
 void keep_refusal(int number, const char* format, va_list arguments)
 {
+    g_hooks.message.run();
     ++g_messages.refusals;
     if (number != d_ERR_UASSERT) g_messages.odd = true;
     std::vsnprintf(g_messages.text, sizeof g_messages.text, format, arguments);

@@ -58,7 +58,8 @@ struct Hook {
     }
 };
 struct Hooks {
-    Hook near, moved, box, box_test, collider, height, mesh, end;
+    Hook near, moved, box, box_test, collider, height, mesh, end, contact_filter, query_filter, message,
+        override_collider, step_memory, threading;
 };
 extern Hooks g_hooks;
 
