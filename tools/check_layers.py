@@ -36,9 +36,10 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
 # Rooms of the large folders: what each of them may include of its own folder.
 ROOMS = {
     "base": {
-        "": set(),
+        "threads": set(),
+        "": {"threads"},
         "streams": {""},
-        "objects": {""},
+        "objects": {"", "threads"},
     },
     "geometry": {
         "": set(),

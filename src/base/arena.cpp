@@ -10,7 +10,7 @@
 #include <mutex>
 
 #include "base/check.h"
-#include "base/system_threads.h"
+#include "base/threads/system_threads.h"
 
 namespace epode {
 namespace {

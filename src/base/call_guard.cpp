@@ -16,7 +16,7 @@
 #endif
 #include <windows.h>
 #else
-#include "base/system_threads.h"
+#include "base/threads/system_threads.h"
 #endif
 
 namespace epode {

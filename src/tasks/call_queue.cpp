@@ -9,7 +9,7 @@
 #include "tasks/call_queue.h"
 
 #include "base/objects/pool.h"
-#include "base/spin.h"
+#include "base/threads/spin.h"
 
 namespace epode {
 

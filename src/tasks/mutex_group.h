@@ -6,7 +6,7 @@
 #pragma once
 
 #include "base/objects/handle.h"
-#include "base/system_threads.h"
+#include "base/threads/system_threads.h"
 #include "ode/threading.h"
 
 namespace epode {

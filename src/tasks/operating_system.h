@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What tasks ask of the operating system where POSIX, Windows and WebAssembly differ. The rest, threads and
-// clocks, MinGW-w64 has as POSIX does (and WebAssembly as base/one_thread.h does).
+// clocks, MinGW-w64 has as POSIX does (and WebAssembly as base/threads/one_thread.h does).
 #pragma once
 
 #include <limits.h>
@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/system_threads.h"
+#include "base/threads/system_threads.h"
 #if !defined(__wasm__)
 #include <thread>
 #endif

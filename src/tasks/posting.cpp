@@ -10,7 +10,7 @@
 
 #include "base/float_environment.h"
 #include "base/objects/pool.h"
-#include "base/spin.h"
+#include "base/threads/spin.h"
 #include "tasks/worker.h"
 
 namespace epode {

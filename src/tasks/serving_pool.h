@@ -7,7 +7,7 @@
 #pragma once
 
 #include "base/objects/handle.h"
-#include "base/system_threads.h"
+#include "base/threads/system_threads.h"
 #include "ode/threading_impl.h"
 #include "tasks/call_queue.h"
 

@@ -18,7 +18,7 @@
 #include <atomic>
 
 #include "base/config.h"
-#include "base/spin.h"
+#include "base/threads/spin.h"
 #include "tasks/tasks.h"
 #include "tasks/waiting.h"
 

@@ -9,10 +9,10 @@
 
 #include <new>
 
-#include "base/address_wait.h"
 #include "base/float_environment.h"
 #include "base/objects/lifecycle.h"
-#include "base/spin.h"
+#include "base/threads/address_wait.h"
+#include "base/threads/spin.h"
 #include "tasks/operating_system.h"
 #include "tasks/tasks.h"
 #include "tasks/waiting.h"

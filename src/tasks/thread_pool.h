@@ -8,7 +8,7 @@
 
 #include <atomic>
 
-#include "base/system_threads.h"
+#include "base/threads/system_threads.h"
 #include "tasks/help_balance.h"
 
 namespace epode {

@@ -7,7 +7,7 @@
 
 #include <time.h>
 
-#include "base/spin.h"
+#include "base/threads/spin.h"
 
 namespace epode {
 

@@ -18,7 +18,7 @@
 
 #include "base/memory.h"
 #include "base/objects/handle.h"
-#include "base/spin.h"
+#include "base/threads/spin.h"
 
 namespace epode {
 

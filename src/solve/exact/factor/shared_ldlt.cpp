@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "base/spin.h"
+#include "base/threads/spin.h"
 #include "math/ldlt.h"
 
 namespace epode {

@@ -5,7 +5,7 @@
 #pragma once
 
 #if defined(__wasm__)
-#include "base/one_thread.h"
+#include "base/threads/one_thread.h"
 #else
 #include <pthread.h>
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
-#include "base/address_wait.h"
+#include "base/threads/address_wait.h"
 
 #if defined(_WIN32)
 #ifndef NOMINMAX
