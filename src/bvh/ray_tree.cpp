@@ -32,12 +32,13 @@ bool RayTree::build(const DynamicTree& tree)
 {
     nodes_.clear();
     folds_.clear();
-    if (tree.leaf_count() == 0 || !nodes_.reserve(tree.leaf_count()) || !folds_.reserve(tree.leaf_count()))
-        return false;
+    if (tree.leaf_count() == 0) return false;
     const Aabb& all = tree.bounds();
+    const Real size = max_component(max(abs(all.lo), abs(all.hi)));
+    if (!(size < kLargest) || !nodes_.reserve(tree.leaf_count()) || !folds_.reserve(tree.leaf_count()))
+        return false;
     const Vec3 half = Real(0.5) * (all.hi - all.lo);
     centre_ = all.lo + half;
-    const Real size = max_component(max(abs(all.lo), abs(all.hi)));
     pad_ = kPad * max_component(half) + 32 * kEpsilon * size + (kSingle ? Real(1e-30) : Real(1e-36));
     (void)nodes_.push(RayNode{});
     if (tree.is_leaf(tree.root())) {

@@ -6,7 +6,8 @@
 // and is valid until that tree changes; many rays between two changes pay for it. Boxes are relative to the
 // centre of all boxes and larger than their contents by kPad of its extent, which is more than all rounding,
 // because rays are first moved to where they enter the whole. So nothing is missed, and a caller that needs
-// the exact box reads it from the leaf.
+// the exact box reads it from the leaf. Boxes beyond what floats can square are not taken, and rays whose own rounding,
+// from where they begin, is more than that padding are not served: both are the dynamic tree's.
 #pragma once
 
 #include <cfloat>
@@ -77,9 +78,10 @@ struct alignas(64) RayNode {
 
 class RayTree {
   public:
-    // False when memory is exhausted: the tree is empty then.
+    // False when memory is exhausted, or boxes are too large: the tree is empty then.
     [[nodiscard]] bool build(const DynamicTree& tree);
     bool empty() const { return nodes_.empty(); }
+    bool serves(const TreeRay& ray) const { return !empty() && ray.slack <= pad_; }
     void clear() { nodes_.clear(); }
 
     // Calls visit(item) for every leaf whose box the ray may meet, as DynamicTree::cast; before that
@@ -89,7 +91,7 @@ class RayTree {
               Prefetch&& prefetch) const;
 
   private:
-    static constexpr Real kPad = Real(0x1p-17);
+    static constexpr Real kPad = Real(0x1p-17), kLargest = Real(1e18);
     struct Fold {
         int from, to;  // a node of the dynamic tree and what becomes of it
     };
@@ -101,7 +103,8 @@ class RayTree {
     Real pad_ = 0;
 };
 
-inline RayNode::RayNode() : lo{}, hi{}, child{}, leaves(0)
+// Were one met by a fault of floats, it would be the first item again, and never a node: walks end.
+inline RayNode::RayNode() : lo{}, hi{}, child{~0, ~0, ~0, ~0}, leaves(0)
 {
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 4; ++k) lo[i][k] = FLT_MAX, hi[i][k] = -FLT_MAX;

@@ -135,7 +135,7 @@ class Broadphase {
         for (int slot : unbounded_) reach = visit(slot);
         if (tree_.leaf_count() == 0 || reach < 0) return;
         const TreeRay ray(origin, direction, tree_.bounds());
-        if (!ray_tree_.empty()) {
+        if (ray_tree_.serves(ray)) {
             ray_tree_.cast(ray, direction, tree_.bounds(), reach, visit, prefetch);
             return;
         }
