@@ -15,21 +15,21 @@ class ComputedNumbers : public testing::TestWithParam<Stepper> {};
 
 TEST_P(ComputedNumbers, beyond_the_limit_of_setters_are_in_states_files_and_clones)
 {
-    constexpr dReal kMost = sizeof(dReal) == 8 ? dReal(1e100) : dReal(1e18);
+    constexpr dReal kLargest = sizeof(dReal) == 8 ? dReal(1e100) : dReal(1e18);
     const dWorldID world = dWorldCreate();
     const dBodyID carriage = dBodyCreate(world);
     dMass mass;
-    dMassSetSphereTotal(&mass, kMost, 1);
+    dMassSetSphereTotal(&mass, kLargest, 1);
     dBodySetMass(carriage, &mass);
     const dJointID rail = dJointCreateSlider(world, nullptr);
     dJointAttach(rail, carriage, nullptr);
     dJointSetSliderAxis(rail, 0, 0, 1);
     dDrive drive;
     dDriveInit(&drive, sizeof drive);
-    drive.stiffness = drive.target = std::sqrt(kMost), drive.force = kMost;
+    drive.stiffness = drive.target = std::sqrt(kLargest), drive.force = kLargest;
     ASSERT_EQ(dJointSetDrive(rail, 0, &drive), 1);
     step_with(GetParam(), world, dReal(1e-3), 4);
-    ASSERT_GT(std::abs(dJointGetDriveForce(rail, 0)), kMost);
+    ASSERT_GT(std::abs(dJointGetDriveForce(rail, 0)), kLargest);
     ASSERT_TRUE(std::isfinite(dJointGetDriveForce(rail, 0)));
 
     const Bytes state = state_of(world);

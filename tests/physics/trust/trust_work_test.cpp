@@ -82,7 +82,7 @@ struct TrustWork : testing::Test {
         return dCreateTriMesh(space, mesh, nullptr, nullptr, nullptr);
     }
     // At most once for a world, or once for a query.
-    static void expect_told(const char* what)
+    static void expect_reported(const char* what)
     {
         EXPECT_EQ(g_messages, 1) << g_said;
         EXPECT_NE(g_said.find(what), std::string::npos) << g_said;
@@ -112,7 +112,7 @@ TEST_F(TrustWork, of_a_continuous_mesh_over_a_field_of_tiny_cells)
         EXPECT_GT(g_heights, 1000);
         EXPECT_LT(g_heights, kHeights * (kCells + kPerTriangle * 2 * n * n) + kContacts);
     }
-    expect_told("continuous collision");
+    expect_reported("continuous collision");
 }
 
 // It stands on a corner between two hills, which it does not touch, and its box has all hills in it.
@@ -141,12 +141,12 @@ TEST_F(TrustWork, of_a_huge_sensor_over_a_field_of_tiny_cells)
         EXPECT_LT(g_heights, kHeights * kCells + kContacts);
         EXPECT_EQ(dWorldGetEvents(world, nullptr, 0), 0) << "they do not touch";
     }
-    expect_told("a sensor");
+    expect_reported("a sensor");
     g_heights = g_messages = 0;
     dGeomID found[4];
     EXPECT_EQ(dSpaceOverlap(space, sensor, nullptr, found, 4), 0);
     EXPECT_LT(g_heights, kHeights * kCells + kContacts);
-    expect_told("dSpaceOverlap");
+    expect_reported("dSpaceOverlap");
 }
 
 TEST_F(TrustWork, of_queries_is_bounded_and_the_answer_is_of_the_middle)
@@ -158,7 +158,7 @@ TEST_F(TrustWork, of_queries_is_bounded_and_the_answer_is_of_the_middle)
     ASSERT_EQ(dGeomGetDistance(ball, ground, dInfinity, &gap), 1);
     EXPECT_NEAR(gap.distance, above, tol(1e-6, 0.2));
     EXPECT_LT(g_heights, kHeights * kCells + kContacts);
-    expect_told("dGeomGetDistance");
+    expect_reported("dGeomGetDistance");
 
     g_heights = g_messages = 0;
     const dVector3 down = {0, 0, -1, 0};
@@ -166,7 +166,7 @@ TEST_F(TrustWork, of_queries_is_bounded_and_the_answer_is_of_the_middle)
     ASSERT_EQ(dGeomCast(ball, down, ground, &hit), 1);
     EXPECT_NEAR(hit.distance, above, tol(0.011, 0.2)) << "solids touch within 1e-8 of their size";
     EXPECT_LT(g_heights, kHeights * kCells + kContacts);
-    expect_told("dGeomCast");
+    expect_reported("dGeomCast");
 }
 
 // So far up, more cells lie in the ball's box than are looked at, and the nearest are those in the middle.
@@ -191,11 +191,11 @@ TEST_F(TrustWork, of_a_plane_and_a_field_of_a_million_million_cells)
     ASSERT_EQ(dGeomGetDistance(ground, plane, dInfinity, &gap), 1);
     EXPECT_NEAR(gap.distance, 3, tol(1e-9, 1e-4));
     EXPECT_LT(g_heights, kHeights * kCells + kContacts);
-    expect_told("dGeomGetDistance");
+    expect_reported("dGeomGetDistance");
 }
 
-// What is looked at as a whole is told of by nobody.
-TEST_F(TrustWork, of_usual_sizes_is_not_told)
+// What is looked at as a whole is reported of by nobody.
+TEST_F(TrustWork, of_usual_sizes_is_not_reported)
 {
     const dGeomID ball = dCreateSphere(space, dReal(0.5)), ground = field(hilly, dReal(0.1));
     dGeomSetPosition(ball, 0, 0, 2);
