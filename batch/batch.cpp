@@ -8,9 +8,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <new>
 
+#include "batch/derivatives/derivatives.h"
 #include "batch/lanes/observed.h"
 
 namespace epode::batch {
@@ -92,9 +94,8 @@ class Batch : public AnyBatch {
             if (array && !write(quantity, 0, copies_, array)) return false;
         }
         crew_.work(groups_, [&](int group, int worker) {
-            T* its = static_cast<T*>(state_.get()) + std::size_t(group) * group_numbers();
             for (int i = 0; i < steps; ++i)
-                kernels_.step(view_, options_, numbers_of(group), are_own(), its,
+                kernels_.step(view_, options_, numbers_of(group), are_own(), group_of(group),
                               work_[std::size_t(worker)].get());
             write_bound(group, worker);
             if (visit) (*visit)(group * lanes_, std::min(lanes_, copies_ - group * lanes_), worker);
@@ -163,17 +164,50 @@ class Batch : public AnyBatch {
         return true;
     }
 
+    // Copies of one group that follow one another share its pass.
+    void jacobian(int link, const double* point, const std::vector<int>& copies, void* to) override
+    {
+        const std::size_t size = 6 * std::size_t(model_.velocities), lanes = std::size_t(lanes_);
+        const Block rows = block_of(size * lanes * sizeof(T));
+        T *out = static_cast<T*>(to), *its = static_cast<T*>(rows.get());
+        int last = -1;
+        for (const int copy : copies) {
+            const int group = copy / lanes_, lane = copy % lanes_;
+            if (group != last)
+                kernels_.jacobian(view_, numbers_of(group), are_own(), group_of(group), work_[0].get(), link,
+                                  point, its);
+            last = group;
+            for (std::size_t k = 0; k < size; ++k) *out++ = its[k * lanes + std::size_t(lane)];
+        }
+    }
+
+    void differentiate(const std::vector<int>& copies, const DerivativeOptions& how,
+                       const std::vector<ColumnBlock>& blocks) override
+    {
+        while (int(derivatives_.size()) < crew_.size())
+            derivatives_.push_back(std::make_unique<Derivatives<T>>(model_, view_, kernels_));
+        std::atomic<bool> lacks_memory{false};
+        crew_.work(int(copies.size()), [&](int piece, int worker) {
+            try {
+                differentiate(copies[std::size_t(piece)], piece, worker, how, blocks);
+            } catch (const std::bad_alloc&) {
+                lacks_memory = true;
+            }
+        });
+        if (lacks_memory) throw std::bad_alloc();
+    }
+
   private:
     static constexpr Quantity kWritable[] = {Quantity::kPositions, Quantity::kVelocities, Quantity::kControls,
                                              Quantity::kApplied, Quantity::kActivations};
 
     std::size_t group_numbers() const { return std::size_t(layout_.rows) * std::size_t(lanes_); }
-    T* bound(Quantity quantity) const { return bound_[std::size_t(quantity)]; }
-    T& at(int copy, int row) const
+    T* group_of(int group) const
     {
-        T* group = static_cast<T*>(state_.get()) + std::size_t(copy / lanes_) * group_numbers();
-        return group[row * lanes_ + copy % lanes_];
+        return static_cast<T*>(state_.get()) + std::size_t(group) * group_numbers();
     }
+    T* bound(Quantity quantity) const { return bound_[std::size_t(quantity)]; }
+    T& at(int copy, int row) const { return group_of(copy / lanes_)[row * lanes_ + copy % lanes_]; }
 
     int row_of(Quantity quantity) const
     {
@@ -208,18 +242,15 @@ class Batch : public AnyBatch {
 
     void observe(int group, int worker, int what) const
     {
-        T* its = static_cast<T*>(state_.get()) + std::size_t(group) * group_numbers();
-        kernels_.observe(view_, options_, numbers_of(group), are_own(), its, work_[std::size_t(worker)].get(),
-                         what, observations(worker));
+        kernels_.observe(view_, options_, numbers_of(group), are_own(), group_of(group),
+                         work_[std::size_t(worker)].get(), what, observations(worker));
     }
 
     // Of copies of one group, which the worker has observed if need be.
     void copy_out(Quantity quantity, int first, int count, int worker, T* out) const
     {
         const int size = size_of(quantity);
-        const T* rows = is_observed(quantity)
-                            ? observations(worker)
-                            : static_cast<T*>(state_.get()) + std::size_t(first / lanes_) * group_numbers();
+        const T* rows = is_observed(quantity) ? observations(worker) : group_of(first / lanes_);
         rows += row_of(quantity) * lanes_ + first % lanes_;
         for (int i = 0; i < count; ++i, out += size) {
             for (int k = 0; k < size; ++k) out[k] = rows[k * lanes_ + i];
@@ -249,6 +280,21 @@ class Batch : public AnyBatch {
             at(copy, layout_.q + k) = at(copy, layout_.before + k) = T(model_.reference[std::size_t(k)]);
     }
 
+    void differentiate(int copy, int piece, int worker, const DerivativeOptions& how,
+                       std::vector<ColumnBlock> blocks)
+    {
+        std::vector<T> rows(static_cast<std::size_t>(layout_.rows)), numbers(are_own() ? numbers_.size() : 0);
+        const T* group = group_of(copy / lanes_) + copy % lanes_;
+        for (std::size_t row = 0; row < rows.size(); ++row) rows[row] = group[row * std::size_t(lanes_)];
+        for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = own_[own_place(copy, int(k))];
+        for (ColumnBlock& block : blocks)
+            block.to =
+                static_cast<T*>(block.to) + std::size_t(piece) * std::size_t(tangents() * block.columns);
+        derivatives_[std::size_t(worker)]->find(rows.data(), are_own() ? numbers.data() : numbers_.data(),
+                                                numbers_.data(), options_, how, blocks,
+                                                work_[std::size_t(worker)].get());
+    }
+
     bool are_own() const { return !own_.empty(); }
     std::size_t own_place(int copy, int number) const
     {
@@ -269,16 +315,10 @@ class Batch : public AnyBatch {
             for (std::size_t k = 0; k < numbers_.size(); ++k) own_[own_place(i, int(k))] = numbers_[k];
     }
 
-    // With a mass the inertia about its centre is the model's in proportion, whatever it was before.
     void put_number(Parameter parameter, int copy, int which, T value)
     {
-        const int place = place_of(model_, parameter, which);
-        const T models = numbers_[std::size_t(place)];
-        own_[own_place(copy, place)] = value;
-        if (parameter != Parameter::kMasses || !(models > 0)) return;
-        const int inertia = place - link_number::kMass + link_number::kInertia;
-        for (int k = inertia; k < inertia + 6; ++k)
-            own_[own_place(copy, k)] = numbers_[std::size_t(k)] * (value / models);
+        each_number(model_, numbers_.data(), parameter, which, value,
+                    [&](int place, T its) { own_[own_place(copy, place)] = its; });
     }
 
     const T* numbers_of(int group) const
@@ -386,6 +426,7 @@ class Batch : public AnyBatch {
     std::vector<std::unique_ptr<PairAsker>> askers_;   // of each thread
     std::vector<std::unique_ptr<RayCaster>> casters_;  // of each thread, once rays are cast
     std::array<T*, std::size_t(Quantity::kCount)> bound_{}, watched_{};
+    std::vector<std::unique_ptr<Derivatives<T>>> derivatives_;  // of each thread, once asked for
     Crew crew_;
 };
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "batch/crew.h"
+#include "batch/derivatives/request.h"
 #include "batch/lanes/group.h"
 #include "batch/lanes/kernels.h"
-#include "batch/parameters.h"
 #include "batch/rays.h"
 
 namespace epode::batch {
@@ -76,6 +76,15 @@ class AnyBatch {
     // (count, size) as above. Once one has been written, every copy has numbers of its own. False: a number that cannot be.
     virtual void read(Parameter parameter, int first, int count, void* to) const = 0;
     virtual bool write(Parameter parameter, int first, int count, const void* from) = 0;
+    // (copies, 6, velocities): of a point of a link.
+    virtual void jacobian(int link, const double* point, const std::vector<int>& copies, void* to) = 0;
+    // Of a step of each copy, which moves none: (copies, tangents, columns) a block. Of bad copies: not a number.
+    virtual void differentiate(const std::vector<int>& copies, const DerivativeOptions& how,
+                               const std::vector<ColumnBlock>& blocks) = 0;
+    // Rows of loops, and of friction against turning, have differences alone.
+    bool has_exact_derivatives() const { return model_.loop_rows == 0 && model_.turns == 0; }
+    // Of a state, tangents of positions and of velocities, and activations.
+    int tangents() const { return 2 * model_.velocities + model_.filters; }
 
   protected:
     AnyBatch(BatchModel model, int copies) : model_(std::move(model)), copies_(copies) {}

@@ -124,8 +124,8 @@ for outside in OUTSIDE:
                     errors.append(f"{path.relative_to(ROOT)}: only ode/*.h is visible here, not {name}")
 
 # Batches depend on robots: of src they see short vectors alone. Kernels know the flat model, not where it comes from.
-BATCH_MAY = {"": {"", "lanes", "model", "robots", "simd"}, "model": {"model", "robots"}, "lanes": {"lanes", "model", "simd"}, "tasks": {"", "lanes", "tasks"},
-             "api": {"", "robots"}}
+BATCH_MAY = {"": {"", "derivatives", "lanes", "model", "robots", "simd"}, "model": {"model", "robots"}, "lanes": {"lanes", "model", "simd"},
+             "derivatives": {"derivatives", "lanes", "model"}, "tasks": {"", "lanes", "tasks"}, "api": {"", "api", "robots"}}
 for path in sorted((ROOT / "batch").rglob("*")):
     if path.suffix not in (".h", ".cpp", ".inc"):
         continue

@@ -8,25 +8,17 @@
 #include <cmath>
 #include <thread>
 
-#include "batch/batch.h"
-#include "robots/api.h"
-
-struct dxBatch {
-    std::unique_ptr<epode::batch::AnyBatch> batch;
-};
+#include "batch/api/handle.h"
 
 using namespace epode::robots;
+using epode::batch::alive;
 using epode::batch::AnyBatch;
+using epode::batch::are_copies;
+using epode::batch::is_parameter;
 using epode::batch::Parameter;
 using epode::batch::Quantity;
 
 namespace {
-
-AnyBatch* alive(dBatchID batch)
-{
-    dxBatch* its = Handles<dxBatch>::all().find(batch);
-    return its ? its->batch.get() : nullptr;
-}
 
 bool is_quantity(int quantity) { return quantity >= 0 && quantity < int(Quantity::kCount); }
 bool can_be_written(int quantity)
@@ -72,16 +64,13 @@ dBatchID create(dxRobotModel& model, int copies, const dBatchOptions& options)
     return Handles<dxBatch>::all().add(std::make_unique<dxBatch>(dxBatch{std::move(batch)}));
 }
 
-bool is_parameter(int parameter) { return parameter >= 0 && parameter < int(Parameter::kCount); }
-
 constexpr const char* kParameters = "a batch, a parameter, copies that there are, and an array";
 constexpr const char* kBatch = "a batch that is alive";
 constexpr const char* kPart = "a batch, a quantity, copies that there are, and an array";
 
 bool is_part(const AnyBatch* batch, int quantity, int first, int count, const void* numbers)
 {
-    return batch && is_quantity(quantity) && first >= 0 && count >= 0 && first <= batch->copies() - count &&
-           (numbers || count == 0);
+    return are_copies(batch, first, count) && is_quantity(quantity) && (numbers || count == 0);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 
+#include "batch/lanes/active.h"
 #include "batch/lanes/options.h"
 #include "batch/model/model_view.h"
 
@@ -23,6 +24,15 @@ struct Kernels {
     // Writes observations (observed.h) of a group, kOfState, kOfStep, kOfSensors or several.
     void (*observe)(const ModelView&, const StepOptions&, const T* numbers, bool own, T* group, void* work,
                     int what, T* rows);
+    // Writes jacobians of a point of a link, rows of 6 times as many numbers as there are velocities.
+    void (*jacobian)(const ModelView&, const T* numbers, bool own, T* group, void* work, int link,
+                     const double* point, T* rows);
+    // Of sensitivity.h: derivatives along the columns of two groups that stand apart, by steps, or at an active set;
+    // and the rows of a solved step. Both use up the groups.
+    void (*differentiate)(const ModelView&, const StepOptions&, const Apart<T>&, const ActiveSet<T>* active,
+                          void* work);
+    int (*respond)(const ModelView&, const StepOptions&, const T* numbers, T* group, void* work,
+                   FoundRow<T>* rows, T* y, T* response);
 };
 
 // The best that this machine runs (EPODE_KERNELS may limit it).

@@ -13,6 +13,7 @@ struct StepOptions {
     double reach = 0.005;     // m: surfaces nearer than this, and what they may approach in a step, have rows
     double tolerance = 1e-6;  // m/s: what a row's last change may be
     int most_sweeps = 200;
+    double evening = 0.05;  // of a face's load, how far a step draws its points to their mean (sharing.h)
 };
 
 }  // namespace epode::batch

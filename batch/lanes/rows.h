@@ -32,6 +32,10 @@ struct Rows {
     const StepOptions& options;
     const P *q, *v, *forces;  // of the last step, of all constraints
     Work<P>& work;
+    const int* acting =
+        nullptr;  // of each impulse, if given: contacts and limits of which it is negative have no row, all others one
+
+    bool acts(int impulse) const { return !acting || acting[impulse] >= 0; }
 
     void find() const
     {
@@ -131,9 +135,9 @@ struct Rows {
                 above = numbers[dof.first + dof_number::kHigh] - position;
         const P sign = if_greater(below, above, -one, one), gap = at_most(below, above);
         const P reach = P(T(kNearLimit)) + P(T(2 * options.h)) * magnitude(v[number]);
-        const P near = if_greater(reach, gap, one, zero);
+        const P near = acting ? one : if_greater(reach, gap, one, zero);
         work.impulses[at] = zero;
-        if (!any_positive(near)) return;
+        if (!acts(at) || !any_positive(near)) return;
         const Law<P> law = law_of(gap, numbers[dof.first + dof_number::kStopStiffness],
                                   numbers[dof.first + dof_number::kStopDamping], options);
         SingleRow<P>& row = singles().add(along(dof), at, sign, near, law);
@@ -141,17 +145,26 @@ struct Rows {
         singles().begin(row, at);
     }
 
+    bool acts(const BatchPair& pair) const
+    {
+        for (int k = 0; k < pair.slots; ++k)
+            if (acts(3 * (pair.first_slot + k))) return true;
+        return false;
+    }
+
     void touch(const BatchPair& pair) const
     {
+        if (!acts(pair)) return;
         Points<P, own>{model, numbers, options, work}.find(pair);
         const P* kept = forces + 3 * pair.first_slot;
         P shared[Work<P>::kMostPoints];
         const bool is_shared = pair.kind == PointKind::kAsked && pair.slots > 1;
-        if (is_shared) share_load(work, kept, pair.slots, shared);
+        if (is_shared) share_load(work, kept, pair.slots, P(T(options.evening)), shared);
         for (int k = 0; k < pair.slots; ++k) {
             P* impulse = work.impulses + 3 * (pair.first_slot + k);
             impulse[0] = impulse[1] = impulse[2] = P(0);
-            const P near = nearness(pair, k);
+            if (!acts(3 * (pair.first_slot + k))) continue;
+            const P near = acting ? P(1) : nearness(pair, k);
             if (!any_positive(near)) continue;
             const P normal = is_shared ? shared[k] : kept[3 * k];
             contact(pair, k, near, {normal, kept[3 * k + 1], kept[3 * k + 2]}, impulse);
@@ -261,7 +274,7 @@ struct Rows {
         fill_all<false>(pair, k, row.y, row.shares);
         const Law<P> law = law_of(work.gaps[k], numbers[pair.first + pair_number::kStiffness],
                                   numbers[pair.first + pair_number::kDamping], options);
-        row.bias = law.bias, row.soft = law.soft;
+        row.bias = law.bias, row.soft = law.soft, row.gap = law.gap, row.slope = law.slope;
         row.friction = if_positive(near, numbers[pair.first + pair_number::kFriction], P(0));
         find_block(row, width, near);
         begin(row.support, row.y, row.d, kept, row.impulse);

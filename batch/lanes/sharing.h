@@ -14,16 +14,16 @@ namespace {
 
 // Of the pair's forces, three a point, those along the normal, shared anew among the points that touch.
 template <typename P>
-EPODE_LANEWISE void share_load(const Work<P>& work, const P* forces, int points, P* out)
+EPODE_LANEWISE void share_load(const Work<P>& work, const P* forces, int points, const P& share, P* out)
 {
     using T = typename P::Number;
-    constexpr double kTouching = 1e-4, kShare = 0.05;  // m
+    constexpr double kTouching = 1e-4;  // m
     P sum(0), count(0), touches[Work<P>::kMostPoints];
     for (int k = 0; k < points; ++k) {
         touches[k] = if_greater(P(T(kTouching)), work.gaps[k], P(1), P(0));
         sum = sum + touches[k] * forces[3 * k], count = count + touches[k];
     }
-    const P mean = sum * inverse_or_zero(count), share = P(T(kShare));
+    const P mean = sum * inverse_or_zero(count);
     for (int k = 0; k < points; ++k) out[k] = forces[3 * k] + share * touches[k] * (mean - forces[3 * k]);
 }
 

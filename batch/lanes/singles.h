@@ -16,6 +16,8 @@ namespace {
 template <typename P>
 struct Law {
     P bias, soft;
+    P gap{}, slope{};  // where the bias is one of a gap: d bias / d gap on this side of its corners
+    bool has_gap = false;
 };
 
 template <typename P>
@@ -26,7 +28,8 @@ EPODE_LANEWISE Law<P> law_of(const P& gap, const P& stiffness, const P& damping,
     const P soft = if_positive(stiffness, P(1) / (h * implicit), P(0));
     const P share = if_positive(stiffness, stiffness / implicit, P(T(options.erp / options.h)));
     const P back = at_most(P(T(options.most_correction)), share * -gap);
-    return {if_positive(gap, -gap * rate, back), soft};
+    const P slope = if_greater(P(T(options.most_correction)), share * -gap, -share, P(0));
+    return {if_positive(gap, -gap * rate, back), soft, gap, if_positive(gap, -rate, slope), true};
 }
 
 // Where the row's y is, and z of the dofs that it moves.
@@ -56,6 +59,7 @@ struct Singles {
         for (int k = 0; k < row.width; ++k) square = square + row.y[k] * row.y[k];
         row.sign = sign, row.bias = law.bias, row.soft = law.soft;
         row.d = if_positive(wanted, square + law.soft, P(0)), row.mass = inverse_or_zero(row.d);
+        row.gap = law.gap, row.slope = law.slope, row.has_gap = law.has_gap;
         return row;
     }
 

@@ -48,6 +48,20 @@ struct Step {
     void take(T* group) const
     {
         const GroupLayout at(model);
+        prepare(group);
+        Solve<P>{model, options, work}.find();
+        const Loops<P, own> loops{model, numbers, options, rows_at<P>(group, at.q), work};
+        if (model.loop_rows > 0) loops.find_impulses();
+        find_velocity(model, work, work.z, work.v);
+        if (model.loop_rows > 0) loops.close();
+        finish(group, at, rows_at<P>(group, at.q), rows_at<P>(group, at.v), rows_at<P>(group, at.forces),
+               P(T(options.h)));
+    }
+
+    // All but the solve: z under the impulses of the last step, and the rows (of those that act, see Rows).
+    void prepare(T* group, const int* acting = nullptr) const
+    {
+        const GroupLayout at(model);
         P *q = rows_at<P>(group, at.q), *v = rows_at<P>(group, at.v), *forces = rows_at<P>(group, at.forces);
         const P h(T(options.h));
         Motion<P, own>{model, numbers, q, v, work}.find();
@@ -65,13 +79,7 @@ struct Step {
         find_mass(model, work);
         factor(model, work);
         find_free_motion(model, v, h, work);
-        Rows<P, own>{model, numbers, options, q, v, forces, work}.find();
-        Solve<P>{model, options, work}.find();
-        const Loops<P, own> loops{model, numbers, options, q, work};
-        if (model.loop_rows > 0) loops.find_impulses();
-        find_velocity(model, work, work.z, work.v);
-        if (model.loop_rows > 0) loops.close();
-        finish(group, at, q, v, forces, h);
+        Rows<P, own>{model, numbers, options, q, v, forces, work, acting}.find();
     }
 
     // 0 where it has gone bad, now or before; q: the positions after the step.

@@ -93,7 +93,8 @@ struct ContactRow {
     P bias, soft, mass, friction;  // J v + soft impulse >= bias; 1 / mass = 1 / (y.y + soft)
     P d, n1, n2;                   // y.y + soft; normal times tangents
     Disc<P> tangents;
-    P* shares;  // what loops have taken of the three y (loops.h); null: nothing
+    P* shares;     // what loops have taken of the three y (loops.h); null: nothing
+    P gap, slope;  // of the bias (singles.h)
 };
 
 // Friction of a contact against turning about its normal and rolling about its tangents: torques that lengths times its normal force
@@ -119,6 +120,8 @@ struct SingleRow {
     P* impulse;
     P sign, bias, soft, d, mass, low, high;
     const P* shares;
+    P gap, slope;  // of the bias (singles.h), where it has one
+    bool has_gap;
 };
 
 // What a limited servo of a dof asks for: force - gain v+, gain = d + h k. Where a row is wanted, wanted is 1.

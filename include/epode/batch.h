@@ -24,6 +24,11 @@ extern "C" {
     - batch: a batch that dBatchCreate has returned.
     - quantity: a dBatchQuantity.
     - values: floats or doubles, as the batch was created, (copies, size), a copy's numbers side by side.
+    - first, count: which copies, count of them from first on.
+    - method: a dBatchMethod.
+    - distance: how far both sides of a derivative are from the state, in its unit, up to 0.5. 0: 1/131072, in floats
+      1/256.
+    - parameter: a dBatchParameter.
 
     Refused: a batch that is 0 or destroyed; null pointers; an unknown quantity; what each function names. Nothing
     changes then, and the answer is 0. One batch is used by one thread at a time. */
@@ -131,6 +136,35 @@ typedef enum {
 ODE_API int dBatchGetParameterSize(dBatchID batch, int parameter);
 ODE_API int dBatchReadParameter(dBatchID batch, int parameter, int first, int count, void* values);
 ODE_API int dBatchWriteParameter(dBatchID batch, int parameter, int first, int count, const void* values);
+
+/** Writes the Jacobians of a point of a link (in its frame, m; NULL: its origin) in the states of `count` copies from `first` on to
+    values, (count, 6, velocities): linear, then angular, in the world's frame, what the velocities make of it. Returns 1. Refused
+    besides: no such link; a point that is not finite or beyond 1e9. [ours] */
+ODE_API int dBatchJacobian(dBatchID batch, int link, const dReal* point, int first, int count, void* values);
+
+/** How derivatives of a step are found. */
+typedef enum {
+    dBatchDifferences, /**< central differences of steps, solved tightly: at a corner of the step the mean of both sides */
+    dBatchExact /**< the implicit function theorem at the contacts, limits and friction that act in this step: at a corner the side
+                     of the state */
+} dBatchMethod;
+
+/** Derivatives of the next state of `count` copies from `first` on, under the controls and applied forces that they have, over the
+    state and the controls. Nothing moves. A state's n numbers: tangents of positions (along the velocities, of turns a rotation vector
+    in the link's frame), velocities, activations.
+    - dBatchGetTangentSize: Returns n.
+    - dBatchLinearise: Writes d(next)/d(state), (count, n, n), to a, and d(next)/d(control), (count, n, controls), to b; of bad copies NaN.
+      Of a control at an end of its range the inner side counts; outside it is 0. Returns 1. Refused besides: another method or
+      distance; dBatchExact of a model with loops or friction against turning. [ours] */
+ODE_API int dBatchGetTangentSize(dBatchID batch);
+ODE_API int dBatchLinearise(dBatchID batch, int method, dReal distance, int first, int count, void* a,
+                            void* b);
+
+/** Writes derivatives of the next state over the numbers of the parameter, (count, n, its size), to values, as dBatchLinearise with
+    that method does. distance is relative to the number; of one that is 0 both sides are a sixteenth of the
+    usual distance away. Returns 1. [ours] */
+ODE_API int dBatchLineariseParameter(dBatchID batch, int method, dReal distance, int parameter, int first,
+                                     int count, void* values);
 
 /** Bind an array of all copies to the quantity: from now on every step and reset writes it, and every step first
     takes what can be written from it. It is filled at once, and must live until it is replaced, unbound by NULL, or the batch is

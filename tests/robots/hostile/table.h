@@ -73,6 +73,9 @@ enum class Role {
     kParameter,
     kFirstCopy,
     kCopyCount,
+    kMethod,  // of derivatives
+    kHalf,    // 0 to 0.5
+    kBatchLink,
     kStepCount,
     kCopyValues,
     kBound,

@@ -519,6 +519,17 @@ Value Values::choose(const RobotFunction& function, int argument, bool hostile)
         case Role::kCopyCount:
             return integer(1 + below(Scene::kCopies - 1),
                            {{-1, kBad}, {INT_MIN, kBad}, {INT_MAX, kBad}, {0, kFine}}, hostile);
+        case Role::kMethod:
+            return integer(below(dBatchExact + 1), {{-1, kBad}, {dBatchExact + 1, kBad}, {INT_MAX, kBad}},
+                           hostile);
+        case Role::kHalf: {
+            Value v =
+                real({{-1, kBad}, {1, kBad}, {double(kNotANumber), kBad}, {double(kInf), kBad}}, hostile);
+            if (!hostile) v.real /= 2;
+            return v;
+        }
+        case Role::kBatchLink:
+            return integer(1, {{-1, kBad}, {INT_MIN, kBad}, {INT_MAX, kBad}, {0, kFine}}, hostile);
         case Role::kStepCount:
             return integer(below(3), {{-1, kBad}, {INT_MIN, kBad}}, hostile);
         case Role::kCopyValues:

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // See parameters.h.
-#include "batch/parameters.h"
+#include "batch/model/parameters.h"
 
 #include <cmath>
 

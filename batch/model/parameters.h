@@ -28,4 +28,17 @@ int place_of(const BatchModel& model, Parameter parameter, int number);
 // Frictions against turning of pairs without them are 0.
 bool can_be(const BatchModel& model, Parameter parameter, int number, double value);
 
+// Calls each(place, value) of every number that follows from a parameter's: with a mass the inertia about its centre is the model's in
+// proportion, whatever it was before. `models` are the model's own numbers.
+template <typename T, typename Each>
+void each_number(const BatchModel& model, const T* models, Parameter parameter, int number, T value,
+                 const Each& each)
+{
+    const int place = place_of(model, parameter, number);
+    each(place, value);
+    if (parameter != Parameter::kMasses || !(models[place] > 0)) return;
+    const int inertia = place - link_number::kMass + link_number::kInertia;
+    for (int k = inertia; k < inertia + 6; ++k) each(k, models[k] * (value / models[place]));
+}
+
 }  // namespace epode::batch
