@@ -186,9 +186,8 @@ class Derivatives {
         const T middle = numbers_[place_of(model_, parameter, which)];
         const T distance = middle != 0 ? distance_ * std::fabs(middle) : T(kDistance / 16),
                 plus = middle + distance;
-        const bool ends =
-            parameter == Parameter::kFrictions || parameter == Parameter::kTorsionalFrictions ||
-            parameter == Parameter::kRollingFrictions;  // at 0; elsewhere both sides of 0 make sense
+        const bool ends = parameter == Parameter::kFrictions || parameter == Parameter::kTorsions ||
+                          parameter == Parameter::kRollings;  // at 0; elsewhere both sides of 0 make sense
         const T minus = ends ? std::max(middle - distance, T(0)) : middle - distance;
         set_number(own_plus_, parameter, which, plus, lane),
             set_number(own_minus_, parameter, which, minus, lane);

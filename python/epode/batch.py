@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _c
 from .errors import RefusedError
 from .recording import Recording
-from .robot import Model
+from .robot import Model, _moved
 from .world import World
 
 _QUANTITIES = ("qpos", "qvel", "ctrl", "applied", "forces", "bad", "residual", "sweeps", "act",
@@ -30,6 +30,7 @@ _QUANTITIES = ("qpos", "qvel", "ctrl", "applied", "forces", "bad", "residual", "
 _AXES = ("link", "world", "upright")
 _PARAMETERS = ("gravity", "mass", "friction", "armature", "damping", "stiffness", "gain", "terrain", "torsional_friction",
                "rolling_friction")
+_METHODS = ("differences", "exact")
 
 
 def _number_in(names: tuple[str, ...], name: str, what: str) -> int:
@@ -243,6 +244,46 @@ class Batch:
         film = _Film(self, chosen, spacing, title)
         self._films.append(film)
         return film.recording
+
+    def _chosen(self, copies: Sequence[int] | None) -> list[int]:
+        return list(range(self.copies)) if copies is None else [int(copy) for copy in copies]
+
+    def jacobian(self, frame: str, point: ArrayLike = (0, 0, 0), *, copies: Sequence[int] | None = None) -> NDArray[Any]:
+        """What the velocities make of a point of a link, merged link or site, by name: (copies, 6, velocities), linear then angular, in the
+        world's axes. point: in the frame, m. copies: which, None for all."""
+        link, local = self.model._frame(frame)
+        chosen = self._chosen(copies)
+        out = np.empty((len(chosen), 6, self.size("qvel")), self.dtype)
+        self._batch.jacobian(link, np.asarray(_moved(local, point), float).tolist(), chosen, out)
+        return out
+
+    @property
+    def tangent_size(self) -> int:
+        """How many numbers a state has in ``linearise``: tangents of positions (along the velocities; of turns a rotation vector in the
+        link's axes), velocities, activations."""
+        return self._batch.tangents
+
+    def linearise(self, copies: Sequence[int] | None = None, *, method: Literal["differences", "exact"] = "exact",
+                  distance: float = 0.0) -> tuple[NDArray[Any], NDArray[Any]]:
+        """Derivatives of the next state: over the state, (copies, n, n), and over the controls, (copies, n, actuators); n is
+        ``tangent_size``. Nothing moves; of bad copies they are NaN.
+
+        method: "exact", at the contacts, limits and friction that act in this step, or "differences", of steps. distance: of both sides
+        from the state, in its unit, up to 0.5; 0: 1/131072, in floats 1/256. A control beyond its range has none."""
+        chosen, n = self._chosen(copies), self.tangent_size
+        a = np.empty((len(chosen), n, n), self.dtype)
+        b = np.empty((len(chosen), n, self.size("ctrl")), self.dtype)
+        self._batch.linearise(_number_in(_METHODS, method, "method") == 1, distance, chosen, a, b)
+        return a, b
+
+    def linearise_parameter(self, parameter: str, copies: Sequence[int] | None = None, *,
+                            method: Literal["differences", "exact"] = "exact", distance: float = 0.0) -> NDArray[Any]:
+        """Derivatives of the next state over the numbers of a parameter (see ``get``): (copies, n, size). distance is relative to the
+        number; of one that is 0 both sides are a sixteenth of the usual distance away."""
+        chosen, number = self._chosen(copies), _number_in(_PARAMETERS, parameter, "parameter")
+        out = np.empty((len(chosen), self.tangent_size, self._batch.parameter_size(number)), self.dtype)
+        self._batch.linearise_parameter(_number_in(_METHODS, method, "method") == 1, distance, number, chosen, out)
+        return out
 
     def world(self, copy: int) -> World:
         """A new world with the model's robot in the state of one copy, to look at or to go on with. Where the copy's terrain is moved,

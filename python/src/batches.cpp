@@ -57,10 +57,9 @@ Parameter parameter_of(int number)
     return Parameter(number);
 }
 
-// The memory of an array of the batch's own numbers, with as many as `count` copies have.
-void* memory_of(const AnyBatch& batch, nb::handle array, int size, int first, int count)
+// The memory of an array of the batch's own numbers, as many as that.
+void* memory_of(const AnyBatch& batch, nb::handle array, size_t numbers)
 {
-    if (first < 0 || count < 0 || first > batch.copies() - count) throw nb::index_error("no such copies");
     nb::ndarray<nb::c_contig, nb::device::cpu> view;
     if (!nb::try_cast(array, view, false))
         throw nb::type_error("a contiguous array that may be written to is expected");
@@ -68,9 +67,15 @@ void* memory_of(const AnyBatch& batch, nb::handle array, int size, int first, in
     if (!fits)
         throw nb::type_error(batch.number_size() == 8 ? "an array of float64 is expected"
                                                       : "an array of float32 is expected");
-    if (view.size() != size_t(count) * size_t(size))
-        throw nb::value_error("an array of another size is expected");
+    if (view.size() != numbers) throw nb::value_error("an array of another size is expected");
     return view.data();
+}
+
+// With as many as `count` copies have.
+void* memory_of(const AnyBatch& batch, nb::handle array, int size, int first, int count)
+{
+    if (first < 0 || count < 0 || first > batch.copies() - count) throw nb::index_error("no such copies");
+    return memory_of(batch, array, size_t(count) * size_t(size));
 }
 
 constexpr const char* kFinite =
@@ -165,6 +170,67 @@ void reset(BoundBatch& b, nb::object mask)
     b.its().reset(reinterpret_cast<const unsigned char*>(view.data()));
 }
 
+// Of the copies that the list names, in its order.
+std::vector<int> copies_in(const AnyBatch& batch, const nb::list& copies)
+{
+    std::vector<int> out;
+    for (nb::handle its : copies) {
+        out.push_back(nb::cast<int>(its));
+        if (out.back() < 0 || out.back() >= batch.copies()) throw nb::index_error("no such copy");
+    }
+    return out;
+}
+
+void get_jacobian(BoundBatch& b, int link, nb::list point, nb::list copies, nb::handle to)
+{
+    const Use use(b);
+    if (link < 0 || link >= int(b.its().model().links.size())) throw nb::index_error("no such link");
+    const double at[3] = {nb::cast<double>(point[0]), nb::cast<double>(point[1]), nb::cast<double>(point[2])};
+    for (const double x : at)
+        if (!(x >= -1e9 && x <= 1e9)) throw nb::value_error("a point must be finite and within 1e9");
+    const std::vector<int> chosen = copies_in(b.its(), copies);
+    void* memory = memory_of(b.its(), to, chosen.size() * 6 * size_t(b.its().model().velocities));
+    const WithoutGil released;
+    b.its().jacobian(link, at, chosen, memory);
+}
+
+void differentiate(BoundBatch& b, bool exact, double distance, nb::list copies,
+                   std::vector<epode::batch::ColumnBlock> blocks, std::initializer_list<nb::handle> arrays)
+{
+    const Use use(b);
+    if (!(distance >= 0 && distance <= 0.5)) throw nb::value_error("distance must be from 0 to 0.5");
+    if (exact && !b.its().has_exact_derivatives())
+        throw nb::value_error(
+            "method='differences' is expected of a model with loops or friction against turning");
+    const std::vector<int> chosen = copies_in(b.its(), copies);
+    auto array = arrays.begin();
+    for (epode::batch::ColumnBlock& block : blocks)
+        block.to =
+            memory_of(b.its(), *array++, chosen.size() * size_t(b.its().tangents()) * size_t(block.columns));
+    const WithoutGil released;
+    b.its().differentiate(chosen, {exact, distance}, blocks);
+}
+
+void linearise(BoundBatch& b, bool exact, double distance, nb::list copies, nb::handle over_state,
+               nb::handle over_controls)
+{
+    using epode::batch::ColumnBlock;
+    differentiate(b, exact, distance, copies,
+                  {{ColumnBlock::kState, b.its().tangents(), nullptr},
+                   {ColumnBlock::kControls, b.its().model().controls, nullptr}},
+                  {over_state, over_controls});
+}
+
+void linearise_parameter(BoundBatch& b, bool exact, double distance, int parameter, nb::list copies,
+                         nb::handle to)
+{
+    using epode::batch::ColumnBlock;
+    const Parameter its = parameter_of(parameter);
+    differentiate(b, exact, distance, copies,
+                  {{ColumnBlock::kParameter, epode::batch::size_of(b.its().model(), its), nullptr, its}},
+                  {to});
+}
+
 }  // namespace
 
 #endif
@@ -201,6 +267,10 @@ void bind_batches(nb::module_& m)
         .def("reset", reset, nb::arg().none())
         .def("rays", cast_rays, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
              nb::arg().none())
+        .def_prop_ro("tangents", [](const BoundBatch& b) { return b.its().tangents(); })
+        .def("jacobian", get_jacobian)
+        .def("linearise", linearise)
+        .def("linearise_parameter", linearise_parameter)
         .def_prop_ro("bad", [](const BoundBatch& b) { return b.its().bad(); });
 #else
     static_cast<void>(m);

@@ -179,3 +179,78 @@ def test_arrays_go_to_others_without_a_copy(model):
     other = np.from_dlpack(qpos)
     batch.step(5)
     assert other.ctypes.data == qpos.ctypes.data and (other == batch.read("qpos")).all()
+
+
+@pytest.mark.parametrize("method", ["exact", "differences"])
+def test_linearise_predicts_the_next_state(model, method):
+    """A small change of state and controls goes where the derivatives say."""
+    rng = np.random.default_rng(4)
+    batch = epode.Batch(model, 3, dtype="float64", stepsize=0.004)
+    batch.write("qvel", rng.normal(0, 1, 7))
+    a, b = batch.linearise(method=method)
+    assert batch.tangent_size == 14 and a.shape == (3, 14, 14) and b.shape == (3, 14, 1)
+    assert np.array_equal(a[0], a[1]) and np.array_equal(batch.linearise([2], method=method)[0][0], a[2])
+    change, control = 1e-5 * rng.normal(0, 1, (3, 7)), 1e-5 * np.array([[0.], [1.], [2.]])
+    velocities = batch.read("qvel")
+    moved = epode.Batch(model, 3, dtype="float64", stepsize=0.004)
+    batch.step()
+    moved.write("qvel", velocities + change)
+    moved.write("ctrl", control)
+    moved.step()
+    predicted = np.einsum("cij,cj->ci", a[:, 7:, 7:], change) + (b[:, 7:] @ control[:, :, None])[:, :, 0]
+    assert np.abs(moved.read("qvel") - batch.read("qvel") - predicted).max() < 1e-8
+
+
+def test_linearise_over_parameters(model):
+    batch = epode.Batch(model, 2, dtype="float64", stepsize=0.004)
+    by_gravity = batch.linearise_parameter("gravity")
+    assert by_gravity.shape == (2, 14, 3) and by_gravity[0, 7 + 2, 2] == pytest.approx(0.004)
+    assert batch.linearise_parameter("mass", [1], method="differences").shape == (1, 14, 3)
+
+
+def test_jacobians_are_the_models(model):
+    batch = epode.Batch(model, 4, dtype="float64")
+    rng = np.random.default_rng(6)
+    qpos = rng.normal(0, 1, (4, 8))
+    qpos[:, 3:7] /= np.linalg.norm(qpos[:, 3:7], axis=1, keepdims=True)
+    batch.write("qpos", qpos)
+    ours = batch.jacobian("leg", (0.1, 0, -0.4), copies=[3, 0])
+    assert ours.shape == (2, 6, 7)
+    for row, copy in enumerate((3, 0)):
+        assert np.abs(ours[row] - model.jacobian("leg", qpos[copy], (0.1, 0, -0.4))).max() < 1e-13
+
+
+def test_derivatives_refuse(model):
+    batch = epode.Batch(model, 2)
+    for wrong in (lambda: batch.linearise(method="guess"), lambda: batch.linearise(distance=-1), lambda: batch.linearise(distance=float("nan")),
+                  lambda: batch.linearise_parameter("colour"), lambda: batch.jacobian("leg", (np.nan, 0, 0))):
+        with pytest.raises(ValueError):
+            wrong()
+    with pytest.raises(IndexError):
+        batch.linearise([2])
+    with pytest.raises(KeyError):
+        batch.jacobian("wing")
+
+
+def test_derivatives_are_mujocos():
+    """Of a cart with a pole, where both solve the same equations; jacobians of everything."""
+    mujoco = pytest.importorskip("mujoco")
+    text = """<mujoco><compiler angle="radian"/><option timestep="0.01"/><worldbody><body><joint name="rail" type="slide" axis="1 0 0" damping="0.2"/>
+<geom size="0.1" mass="1"/><body><joint name="hinge" axis="0 1 0" damping="0.01"/><geom type="capsule" fromto="0 0 0 0.1 0 0.6" size="0.03" mass="0.3"/>
+<site name="tip" pos="0.1 0 0.6"/></body></body></worldbody><actuator><motor joint="rail" gear="10" ctrlrange="-1 1"/></actuator></mujoco>"""
+    theirs = mujoco.MjModel.from_xml_string(text)
+    data, rng = mujoco.MjData(theirs), np.random.default_rng(8)
+    batch = epode.Batch(epode.robot.from_text(text), 5, dtype="float64", stepsize=0.01)
+    qpos, qvel, ctrl = rng.normal(0, 1, (5, 2)), rng.normal(0, 1, (5, 2)), rng.uniform(-0.9, 0.9, (5, 1))
+    for name, values in (("qpos", qpos), ("qvel", qvel), ("ctrl", ctrl)):
+        batch.write(name, values)
+    a, b = batch.linearise()
+    jacobian = batch.jacobian("tip")
+    for i in range(5):
+        data.qpos[:], data.qvel[:], data.ctrl[:] = qpos[i], qvel[i], ctrl[i]
+        other_a, other_b, linear, angular = np.empty((4, 4)), np.empty((4, 1)), np.empty((3, 2)), np.empty((3, 2))
+        mujoco.mjd_transitionFD(theirs, data, 1e-6, True, other_a, other_b, None, None)
+        mujoco.mj_forward(theirs, data)
+        mujoco.mj_jacSite(theirs, data, linear, angular, 0)
+        assert np.abs(a[i] - other_a).max() < 1e-6 and np.abs(b[i] - other_b).max() < 1e-6
+        assert np.abs(jacobian[i] - np.vstack([linear, angular])).max() < 1e-10
