@@ -8,6 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import epode
+
 RECIPES = Path(__file__).parent.parent / "recipes"
 
 
@@ -112,6 +114,40 @@ def test_ants_begin_again_with_the_same_bits():
     observed, _, terminated, truncated, info = ants.step(actions[0])
     assert terminated.tolist() == [False, False, True, False, False, False] and not truncated.any()
     assert 0.5 < observed[2, 0] < 0.9 and info["final_obs"][0, 0] > 1 and ants.steps.tolist() == [21, 21, 0, 21, 21, 21]
+
+
+def test_ilqr():
+    """The pole hung, and stands; no force was beyond what the motor has, and playing the controls again gives the same states."""
+    module = recipe("ilqr")
+    states, controls = module.main()
+    assert np.cos(states[0, 1]) == -1 and abs(states[-1, 1]) < 0.02 and np.abs(states[-1]).max() < 0.1
+    assert np.abs(controls).max() <= 10
+    alone = epode.Batch(epode.robot.from_text(module.CART_POLE), 1, dtype="float64", stepsize=module.H)
+    alone.write("qpos", states[0, :2])
+    qpos, qvel = alone.rollout(controls[None, :, None])
+    assert np.array_equal(np.hstack([qpos[0], qvel[0]]), states[1:])
+
+
+def test_mpc():
+    """Both targets are reached and held, on any threads the same."""
+    distance = recipe("mpc").main()
+    half = len(distance) // 2
+    assert distance[0] > 0.3 and distance[half] > 0.5
+    assert distance[half - 20:half].max() < 0.03 and distance[-20:].max() < 0.03
+
+
+def test_identify():
+    module = recipe("identify")
+    assert module.main().max() < 0.01                # a thousandth of a radian of noise
+    assert module.main(noise=0).max() < 1e-8
+
+
+def test_gait():
+    """It learns to run: twice as far as the best of the first, and as a second seed does."""
+    pytest.importorskip("gymnasium")
+    for seed in (0, 1):
+        best = recipe("gait").main(seed=seed)
+        assert best[0] < 6 and best[-1] > max(9, 2 * best[0])
 
 
 def test_every_recipe_is_tested_and_on_the_page():
