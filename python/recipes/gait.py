@@ -85,7 +85,7 @@ def main(generations: int = 60, population: int = 32, *, seed: int = 0) -> Rows:
     if found is None or found.origin is None:
         raise ImportError("the half-cheetah is gymnasium's: pip install epode[gym]")
     model = epode.load(os.path.join(os.path.dirname(found.origin), "envs", "mujoco", "assets", "half_cheetah.xml"))
-    batch, evolution = epode.Batch(model, population, stepsize=H), Evolution(np.zeros(3 * MOTORS + 1), 0.5, population, seed)
+    batch, evolution = epode.Batch(model, population, stepsize=H, threads=1), Evolution(np.zeros(3 * MOTORS + 1), 0.5, population, seed)
     best = []
     for _ in range(generations):
         way = distances(batch, evolution.sample())

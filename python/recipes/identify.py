@@ -39,8 +39,8 @@ class Predictor:
 
     def __init__(self) -> None:
         model = epode.robot.from_text(ARM)
-        self.one = epode.Batch(model, 1, dtype="float64", stepsize=H)
-        self.steps = epode.Batch(model, STEPS, dtype="float64", stepsize=H)
+        self.one = epode.Batch(model, 1, dtype="float64", stepsize=H, threads=1)
+        self.steps = epode.Batch(model, STEPS, dtype="float64", stepsize=H, threads=1)
         self.controls = excitation()
 
     def trajectory(self, numbers: Rows) -> Rows:

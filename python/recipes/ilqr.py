@@ -24,8 +24,8 @@ class Swing:
 
     def __init__(self) -> None:
         model = epode.robot.from_text(CART_POLE)
-        self.steps = epode.Batch(model, STEPS, dtype="float64", stepsize=H)
-        self.tries = epode.Batch(model, CANDIDATES, dtype="float64", stepsize=H)
+        self.steps = epode.Batch(model, STEPS, dtype="float64", stepsize=H, threads=1)
+        self.tries = epode.Batch(model, CANDIDATES, dtype="float64", stepsize=H, threads=1)
         self.start = np.array([0, np.pi, 0, 0])
 
     def cost(self, states: Rows, controls: Rows) -> Rows:

@@ -37,7 +37,7 @@ class Sampler:
     """The nominal controls, (HORIZON, 3), and what improves them."""
 
     def __init__(self, model: epode.robot.Model, seed: int) -> None:
-        self.batch = epode.Batch(model, SAMPLES, dtype="float32", stepsize=H)
+        self.batch = epode.Batch(model, SAMPLES, dtype="float32", stepsize=H, threads=1)
         self.lower = model.link_names.index("lower")
         self.nominal = np.zeros((HORIZON, 3))
         self._rng = np.random.default_rng(seed)
@@ -74,7 +74,7 @@ class Sampler:
 def main(seconds: float = 4.0, *, seed: int = 0) -> Rows:
     """How far the hand is from its target, m, at each control."""
     model = epode.robot.from_text(ARM)
-    arm, sampler = epode.Batch(model, 1, dtype="float64", stepsize=H), Sampler(model, seed)
+    arm, sampler = epode.Batch(model, 1, dtype="float64", stepsize=H, threads=1), Sampler(model, seed)
     targets = np.array([[0.3, 0.35, 0.7], [0.45, -0.3, 0.35]])
     count = round(seconds / (H * HOLD))
     distance = np.empty(count)
