@@ -12,7 +12,8 @@ RECIPES = PACKAGE.parent / "recipes"
 MODULES = {"world": "Worlds", "body": "Bodies", "geom": "Geoms", "shapes": "Shapes and materials", "joint": "Joints and drives",
            "recording": "Recordings", "viewer": "Windows: epode.viewer", "plot": "Plots: epode.plot",
            "robot": "Robots: epode.robot", "batch": "Batches of robots", "vector/environment": "Environments: epode.vector",
-           "vector/task": "Tasks: epode.vector", "enums": "Kinds", "errors": "Errors"}
+           "vector/task": "Tasks: epode.vector", "sweep/plan": "Plans of sweeps: epode.sweep", "sweep/sweep": "Sweeps: epode.sweep",
+           "enums": "Kinds", "errors": "Errors"}
 # A module's classes that have a file of their own.
 DATA = {"robot": "_robot_data"}
 

@@ -27,7 +27,7 @@ from .shapes import (Box, Capsule, Cone, Convex, Cylinder, Decomposition, Ellips
 from .world import Cause, World, defaults_text, step_worlds
 
 if TYPE_CHECKING:
-    from . import robot, vector
+    from . import robot, sweep, vector
     from .batch import Batch
     from .robot import load
 
@@ -36,11 +36,12 @@ __all__ = ["Batch", "Behaviour", "Body", "BodyGroup", "Box", "BusyError", "Capsu
            "ContactEventKind", "Convex", "Cylinder", "DeadHandleError", "Decomposition", "Drive", "Ellipsoid", "EpodeWarning",
            "EventGone", "EventKind", "Geom", "HeightField", "IslandMethod", "Joint", "Material", "Mesh", "Plane",
            "Recording", "RefusedError", "Severity", "Sphere", "TaperedCapsule", "World", "c", "decompose", "defaults_text",
-           "joint_states", "load", "robot", "step_worlds", "vector"]
+           "joint_states", "load", "robot", "step_worlds", "sweep", "vector"]
 
 
 def __getattr__(name: str) -> Any:
-    """epode.robot, epode.load, epode.Batch and epode.vector are imported when they are used first: the rest does not wait for them."""
+    """epode.robot, epode.load, epode.Batch, epode.vector and epode.sweep are imported when they are used first: the rest does not wait
+    for them."""
     if name in ("robot", "load"):
         import importlib
         robot = importlib.import_module(".robot", __name__)
@@ -50,7 +51,7 @@ def __getattr__(name: str) -> Any:
         from .batch import Batch
         globals()[name] = Batch
         return Batch
-    if name == "vector":
+    if name in ("vector", "sweep"):
         import importlib
-        return importlib.import_module(".vector", __name__)
+        return importlib.import_module(f".{name}", __name__)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

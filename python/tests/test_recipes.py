@@ -150,6 +150,39 @@ def test_gait():
         assert best[0] < 6 and best[-1] > max(9, 2 * best[0])
 
 
+def test_ppo():
+    """It learns to keep a pole upright for ten times as long as at first, and to its limit in most episodes, within 30 s of a quiet machine."""
+    pytest.importorskip("mujoco"), pytest.importorskip("imageio")
+    module = recipe("ppo")
+    learner, curve = module.main(copies=32, seconds=300, enough=800, shown=False, infos=False)
+    assert curve[0].value < 30 and curve[-1].value >= 800 and learner.steps < 400_000
+    env = module.gymnasium.make_vec("Epode/InvertedPendulum-v0", num_envs=64)
+    observations, _ = env.reset(seed=99)
+    alive = np.ones(64, bool)
+    for _ in range(900):                              # without noise, from starts that it has not seen
+        observations, _, terminated, *_ = env.step(learner.act(observations))
+        alive &= ~terminated
+    assert alive.mean() > 0.9
+
+
+def test_gradients_of_ppo_are_those_of_its_objective():
+    pytest.importorskip("gymnasium")
+    module = recipe("ppo")
+    rng = np.random.default_rng(2)
+    network = module.Network([5, 8, 8, 3], 1.0, rng)
+    network.weights = [w.astype(float) + 0.1 * rng.normal(size=w.shape) for w in network.weights]
+    inputs, slope = rng.normal(size=(16, 5)), rng.normal(size=(16, 3))
+    gradients = network.backward(network.forward(inputs), slope)
+    for weight, gradient in zip(network.weights, gradients, strict=True):
+        place = tuple(0 for _ in weight.shape)
+        kept, outs = weight[place], []
+        for change in (1e-6, -1e-6):
+            weight[place] = kept + change
+            outs.append((network.forward(inputs)[-1] * slope).sum())
+        weight[place] = kept
+        assert gradient[place] == pytest.approx((outs[0] - outs[1]) / 2e-6, rel=1e-6)
+
+
 def test_every_recipe_is_tested_and_on_the_page():
     page = (RECIPES.parent.parent / "docs" / "python" / "recipes.md").read_text()
     for path in RECIPES.glob("*.py"):
