@@ -20,7 +20,8 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
-import epode.vector  # noqa: F401 (registers Epode/Ant-v0)
+import epode
+import epode.vector  # registers Epode/Ant-v0
 
 Array = NDArray[np.float32]
 
@@ -229,6 +230,21 @@ class Learner:
         return curve
 
 
+def film(learner: Learner, seconds: float = 10.0) -> epode.Recording:
+    """The policy without noise, in copy 0 of an environment of Epode's: to save as a page, or to look at."""
+    env = learner.env
+    world = epode.World(contacts=False)
+    robot, pause = env.batch.model.build(world), env.batch.stepsize * env.task.frame_skip
+    observations, _ = env.reset(seed=99)
+    robot.positions = env.batch.read("qpos")[0]
+    with world.record("what was learnt") as recording:
+        for _ in range(round(seconds / pause)):
+            observations, *_ = env.step(learner.act(observations))
+            robot.positions = env.batch.read("qpos")[0]
+            recording.take(pause)
+    return recording
+
+
 def main(name: str = "Epode/InvertedPendulum-v0", copies: int = 64, seconds: float = 60, enough: float = np.inf, seed: int = 1,
          shown: bool = True, **options: Any) -> tuple[Learner, list[Point]]:
     """Learns; returns the learner and its curve."""
@@ -243,5 +259,8 @@ if __name__ == "__main__":
     parser.add_argument("--copies", type=int, default=64)
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--film", help="file.html, .epr, .glb or .csv of ten seconds (environments of Epode's)")
     given = parser.parse_args()
-    main(given.name, given.copies, given.seconds, seed=given.seed)
+    learnt, _ = main(given.name, given.copies, given.seconds, seed=given.seed)
+    if given.film:
+        film(learnt).save(given.film)

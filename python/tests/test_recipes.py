@@ -163,6 +163,9 @@ def test_ppo():
         observations, _, terminated, *_ = env.step(learner.act(observations))
         alive &= ~terminated
     assert alive.mean() > 0.9
+    recording = module.film(learner, seconds=1.0)
+    cart = recording.trajectory(0)
+    assert len(recording) == 26 and recording.times[-1] == pytest.approx(1.0) and 0 < np.ptp(cart[:, 0]) < 1
 
 
 def test_gradients_of_ppo_are_those_of_its_objective():
