@@ -10,7 +10,7 @@ import epode
 
 
 def slide(parameters, seed):
-    """A box on a slope, some boxes beside it: until it has slid for half a second."""
+    """A box slides down a slope for half a second, and a ball falls onto it."""
     world = epode.World(gravity=(0, 0, -9.81))
     world.reports = True
     material = epode.Material(friction=parameters["friction"])

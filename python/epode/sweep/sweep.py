@@ -88,7 +88,7 @@ def run(scene: Scene, plan: Plan, *, out: str | PathLike[str], executor: Place =
 
     executor: "serial", "threads" (of this machine), "ray", or any concurrent.futures.Executor. limit: s that a run may take. isolated:
     runs are executed by a child process of each worker, which may be killed; False: by the worker, for debuggers. version: of what
-    the scene uses beside its own module. progress: a line on standard error; default: on a terminal. Raises SweepError."""
+    the scene uses from elsewhere than its own module. progress: a line on standard error; default: on a terminal. Raises SweepError."""
     import cloudpickle  # type: ignore[import-not-found,import-untyped,unused-ignore]
     if limit is not None and not limit > 0:
         raise ValueError(f"limit {limit}: seconds above 0 are expected")
