@@ -26,20 +26,24 @@ from epode.sweep import identity, progress  # noqa: E402
 
 HAS_RAY = importlib.util.find_spec("ray") is not None
 needs_ray = pytest.mark.skipif(not HAS_RAY, reason="ray is not installed")
-PLACES = ["serial", "threads", pytest.param("ray", marks=needs_ray)]
 
 
-@pytest.fixture(scope="module", autouse=True)
+@pytest.fixture(scope="module")
 def one_ray():
-    """Where Ray is asked for, one start of it serves this module."""
-    if HAS_RAY and not os.environ.get("EPODE_SWEEP_NO_RAY"):
-        import ray
-        ray.init(num_cpus=2, include_dashboard=False, log_to_driver=False, logging_level="error",
-                 runtime_env={"env_vars": {"PYTHONPATH": os.pathsep.join(path or "." for path in sys.path)}})
-        yield
-        ray.shutdown()
-    else:
-        yield
+    """One start of Ray serves this module."""
+    import ray
+    ray.init(num_cpus=2, include_dashboard=False, log_to_driver=False, logging_level="error",
+             runtime_env={"env_vars": {"PYTHONPATH": os.pathsep.join(path or "." for path in sys.path)}})
+    yield
+    ray.shutdown()
+
+
+@pytest.fixture(params=["serial", "threads", pytest.param("ray", marks=needs_ray)])
+def place(request):
+    """Each executor that has a name."""
+    if request.param == "ray":
+        request.getfixturevalue("one_ray")
+    return request.param
 
 
 def what_matters(table):
@@ -108,7 +112,6 @@ def test_rows_say_what_ran_and_what_came_out(serial_rows):
     assert len(set(table["state_hash"].to_pylist())) == 100 and min(table["duration"].to_pylist()) > 0
 
 
-@pytest.mark.parametrize("place", PLACES[1:])
 @pytest.mark.parametrize("chunk", [7, 30])
 def test_rows_have_the_same_bits_everywhere(place, chunk, serial_rows, tmp_path):
     plan, expected = serial_rows
@@ -135,7 +138,6 @@ def test_scenes_may_be_closures(tmp_path):
 
 # ---- failures ----
 
-@pytest.mark.parametrize("place", PLACES)
 def test_failed_runs_are_rows_that_say_why(place, tmp_path):
     table = sweep.run(scenes.troubled, sweep.grid(a=[1.0], seed=range(9)), out=tmp_path, executor=place, chunk=3, limit=1.5)
     errors = table["error"].to_pylist()
@@ -216,7 +218,7 @@ import sys
 sys.path.insert(0, {tests!r})
 import sweep_scenes
 from epode import sweep
-sweep.run(sweep_scenes.counted, sweep.grid(a=[1.0], seed=range(40)), out={out!r}, executor="threads", chunk=2)
+sweep.run(sweep_scenes.counted, sweep.grid(a=[1.0], seed=range(200)), out={out!r}, executor="threads", chunk=2)
 """
 
 
@@ -231,14 +233,14 @@ def test_a_killed_driver_loses_its_unfinished_chunks_alone(tmp_path):
     driver.send_signal(signal.SIGKILL)
     driver.wait()
     whole = len(list(out.glob("*.parquet")))
-    assert 4 <= whole < 20
+    assert 4 <= whole < 100
     time.sleep(1)  # children end when their worker has gone
     before = len(count.read_text().splitlines())
     time.sleep(0.5)
     assert len(count.read_text().splitlines()) == before
     subprocess.run(command, env={**environment, "SWEEP_SECONDS": "0"}, check=True)
-    assert len(count.read_text().splitlines()) == before + 40 - 2 * whole
-    assert sweep.read(out)["seed"].to_pylist() == list(range(40))
+    assert len(count.read_text().splitlines()) == before + 200 - 2 * whole
+    assert sweep.read(out)["seed"].to_pylist() == list(range(200))
 
 
 def test_a_full_disk_stops_it_and_it_goes_on(tmp_path):

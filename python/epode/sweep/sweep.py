@@ -119,7 +119,8 @@ def _drive(sweep: _Sweep, place: Executor, work: tuple[bytes, float | None, bool
     bad = 0
     try:
         while True:
-            while len(running) < (1 if width_of(place) == 1 else 2 * width_of(place)) and (chunk := next(waiting, None)):
+            width = width_of(place)  # a cluster may have grown
+            while len(running) < (1 if width == 1 else 2 * width) and (chunk := next(waiting, None)):
                 running[place.submit(run_chunk, scene, chunk.runs, limit, isolated)] = chunk
             if not running:
                 return
