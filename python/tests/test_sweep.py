@@ -32,7 +32,7 @@ needs_ray = pytest.mark.skipif(not HAS_RAY, reason="ray is not installed")
 def one_ray():
     """One start of Ray serves this module."""
     import ray
-    ray.init(num_cpus=2, include_dashboard=False, log_to_driver=False, logging_level="error",
+    ray.init("local", num_cpus=2, include_dashboard=False, log_to_driver=False, logging_level="error",
              runtime_env={"env_vars": {"PYTHONPATH": os.pathsep.join(path or "." for path in sys.path)}})
     yield
     ray.shutdown()

@@ -30,7 +30,7 @@ class Serial(Executor):
 
 class Ray(Executor):
     """One task of Ray's, on one CPU, for each call of ``submit``. What is given as bytes first travels once, as an object. Connects
-    to the cluster of RAY_ADDRESS, or starts one of this machine, which ends with it."""
+    to the cluster of RAY_ADDRESS or to one that runs here, or starts one of this machine, which ends with it."""
 
     def __init__(self) -> None:
         try:

@@ -18,8 +18,7 @@ from .. import _c
 _CONSTANTS = (bool, int, float, complex, str, bytes, type(None))
 
 
-@functools.cache
-def library() -> str:
+def _library() -> str:
     """The hash of the compiled library, and the Python that names byte code."""
     with open(_c.__file__, "rb") as file:
         return hashlib.sha256(file.read()).hexdigest() + ".".join(map(str, sys.version_info[:2]))
@@ -27,12 +26,12 @@ def library() -> str:
 
 def name_of_chunk(scene: str, version: str, runs: Iterable[Any]) -> str:
     """32 hexadecimal digits; scene: what ``identity_of`` returns."""
-    return _digest([library(), scene, version, *map(repr, runs)])
+    return _digest([scene, version, *map(repr, runs)])
 
 
 def identity_of(scene: Any) -> str:
-    """The hash of a scene."""
-    return _digest(_parts(scene, set()))
+    """The hash of a scene and of the library that it runs on."""
+    return _digest([_library(), *_parts(scene, set())])
 
 
 def _digest(parts: Iterable[str]) -> str:
