@@ -186,6 +186,10 @@ class Batch:
     def step(self, steps: int = 1) -> None:
         """Advance all copies. Other threads go on meanwhile; Ctrl-C ends it between two steps."""
         self._batch.step(steps)
+        self._take(steps)
+
+    def _take(self, steps: int) -> None:
+        """What is recorded after so many steps."""
         self._films = [film for film in self._films if film.is_running]
         for film in self._films:
             film.take(self, steps * self.stepsize)

@@ -87,17 +87,6 @@ class Recording:
             self._time += h
             self._data.take_state(world._handle, self._time, h, milliseconds)
 
-    def take(self, h: float) -> None:
-        """Record the world as it is now, as the state h seconds after the last one: of motions that no step of it makes, such as a
-        copy's in a batch."""
-        world = self._world() if self._world is not None else None
-        if world is None:
-            raise ValueError("this recording has stopped, or is of a file: World.record begins one")
-        if not 0 < h < float("inf"):
-            raise ValueError(f"h {h}: seconds above 0 are expected")
-        world._handle
-        self._take(h, 0.0)
-
     def stop(self) -> None:
         """Record no more."""
         world = self._world() if self._world is not None else None

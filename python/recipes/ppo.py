@@ -233,16 +233,11 @@ class Learner:
 def film(learner: Learner, seconds: float = 10.0) -> epode.Recording:
     """The policy without noise, in copy 0 of an environment of Epode's: to save as a page, or to look at."""
     env = learner.env
-    world = epode.World(contacts=False)
-    robot, pause = env.batch.model.build(world), env.batch.stepsize * env.task.frame_skip
     observations, _ = env.reset(seed=99)
-    robot.positions = env.batch.read("qpos")[0]
-    with world.record("what was learnt") as recording:
-        for _ in range(round(seconds / pause)):
+    with env.batch.record(0, title="what was learnt") as recording:
+        for _ in range(round(seconds / (env.batch.stepsize * env.task.frame_skip))):
             observations, *_ = env.step(learner.act(observations))
-            robot.positions = env.batch.read("qpos")[0]
-            recording.take(pause)
-    return recording
+    return recording  # type: ignore[no-any-return]
 
 
 def main(name: str = "Epode/InvertedPendulum-v0", copies: int = 64, seconds: float = 60, enough: float = np.inf, seed: int = 1,

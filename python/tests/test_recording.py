@@ -32,21 +32,6 @@ def film():
     return recording
 
 
-def test_states_may_be_taken_without_a_step():
-    with epode.World() as world:
-        ball = world.body(mass=1, shape=epode.Sphere(0.2))
-        with world.record() as recording:
-            for height in (1.0, 2.0):
-                ball.position = (0, 0, height)
-                recording.take(0.5)
-            for wrong in (0, -1, float("nan"), float("inf")):
-                with pytest.raises(ValueError, match="seconds above 0"):
-                    recording.take(wrong)
-        assert recording.times.tolist() == [0, 0.5, 1] and recording.trajectory(0)[:, 2].tolist() == [0, 1, 2]
-        with pytest.raises(ValueError, match="stopped"):
-            recording.take(0.5)
-
-
 def test_a_recording_has_the_states(film):
     assert len(film) == 101
     np.testing.assert_allclose(film.times[[0, 50, -1]], [0, 0.5, 1.0])

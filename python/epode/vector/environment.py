@@ -106,6 +106,7 @@ class VectorEnvironment(VectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
         if given.dtype.kind not in ("iu" if self.task.choices else "iuf"):
             raise ValueError(f"actions of {self.action_space.dtype} are expected, not {given.dtype}")
         self._environments.step(np.ascontiguousarray(given, np.float64))
+        self.batch._take(self.task.frame_skip)
         infos = self._infos() if self.with_infos else {}
         return (self._given("observations"), self._given("rewards"), self._given("terminated"), self._given("truncated"), infos)
 
