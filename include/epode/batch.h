@@ -122,7 +122,7 @@ typedef enum {
     dBatchDampings,  /**< of joints, along the velocities, N m s or N s/m */
     dBatchStiffnesses, /**< of joints' springs, along the velocities, N m or N/m */
     dBatchGains,       /**< of actuators */
-    dBatchTerrain,     /**< three, m: by how much shapes of the world and of all that stands still are moved */
+    dBatchTerrain, /**< three, m: by how much shapes of the world and of all that stands still are moved */
     dBatchTorsionalFrictions, /**< of pairs of shapes, m: 0 of those without (MJCF's condim below 4) */
     dBatchRollingFrictions    /**< of pairs of shapes, m: 0 of those without (MJCF's condim below 6) */
 } dBatchParameter;
@@ -191,8 +191,9 @@ typedef enum {
     0), 3 reals a ray. ranges: floats or doubles, (count, rays), distances to the nearest shape, m, infinite beyond max_distance.
     shapes: the same of ints, which of the model's shapes, counted link by link, was hit, -1 for none; may be 0. The batch's threads
     share the work. Returns 1. Refused besides: no such link or axes; a direction of length 0; rays or max_distance below 0. [ours] */
-ODE_API int dBatchCastRays(dBatchID batch, int link, int axes, int rays, const dReal* origins, const dReal* directions,
-                           dReal max_distance, int first, int count, void* ranges, int* shapes);
+ODE_API int dBatchCastRays(dBatchID batch, int link, int axes, int rays, const dReal* origins,
+                           const dReal* directions, dReal max_distance, int first, int count, void* ranges,
+                           int* shapes);
 
 /** Returns how many copies are bad. [ours] */
 ODE_API int dBatchCountBad(dBatchID batch);

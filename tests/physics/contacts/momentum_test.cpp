@@ -158,7 +158,7 @@ TEST_P(Balance, of_a_pile_that_tumbles)
 
 std::string balance_name(const testing::TestParamInfo<std::tuple<Stepper, int>>& info)
 {
-    return std::string(name_of(std::get<0>(info.param))) + "_" + kFrictions[std::get<1>(info.param)].name;
+    return std::string(name_of(std::get<0>(its.param))) + "_" + kFrictions[std::get<1>(its.param)].name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Steppers, Balance,
@@ -254,9 +254,9 @@ TEST_P(OwnCentre, turns_by_what_contacts_exert)
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, OwnCentre, testing::Combine(testing::Range(0, 5), testing::Range(0, 2)),
-                         [](const testing::TestParamInfo<std::tuple<int, int>>& info) {
-                             return std::string(methods()[std::size_t(std::get<0>(info.param))].name) +
-                                    (std::get<1>(info.param) == 0 ? "_pucks" : "_pile");
+                         [](const testing::TestParamInfo<std::tuple<int, int>>& its) {
+                             return std::string(methods()[std::size_t(std::get<0>(its.param))].name) +
+                                    (std::get<1>(its.param) == 0 ? "_pucks" : "_pile");
                          });
 
 }  // namespace
