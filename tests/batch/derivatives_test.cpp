@@ -10,7 +10,7 @@
 namespace epode::tests {
 namespace {
 
-constexpr double kH = 0.004;
+constexpr double kDerivativeStep = 0.004;
 
 struct Linear {
     std::vector<double> a, b;
@@ -52,11 +52,11 @@ const char* const kSlider =
 TEST(BatchDerivatives, of_a_slider_are_its_closed_form)
 {
     const dRobotModelID model = model_of(kSlider);
-    Copies<double> copies(model, 1, dReal(kH));
+    Copies<double> copies(model, 1, dReal(kDerivativeStep));
     copies.write(dBatchPositions, {0.3}), copies.write(dBatchVelocities, {-0.2}),
         copies.write(dBatchControls, {0.7});
     copies.write(dBatchActivations, {0.1});
-    const double m = 1.5, k = 30, d = 2, h = kH, g = 4, inertia = m + h * d + h * h * k;
+    const double m = 1.5, k = 30, d = 2, h = kDerivativeStep, g = 4, inertia = m + h * d + h * h * k;
     const double vq = -h * k / inertia, vv = m / inertia, va = h * g / inertia;
     const std::vector<double> a = {1 + h * vq, h * vv, h * va, vq, vv, va, 0, 0, 1 - h / 0.05},
                               b = {0, 0, h / 0.05};
@@ -82,13 +82,13 @@ TEST(BatchDerivatives, of_a_turning_body_keep_its_own_axes)
 {
     const dRobotModelID model = model_of(R"(<mujoco><option gravity="0 0 0"/><worldbody><body><freejoint/>
 <inertial pos="0 0 0" mass="1" diaginertia="0.02 0.02 0.02"/></body></worldbody></mujoco>)");
-    Copies<double> copies(model, 1, dReal(kH));
+    Copies<double> copies(model, 1, dReal(kDerivativeStep));
     copies.write(dBatchPositions, {1, 2, 3, 0.5, 0.5, -0.5, 0.5});
     copies.write(dBatchVelocities, {1, 0, 0, 0.3, -2, 1});
     // A ball: w stays in the world, so exp(h w) turns what the state's tangent turns: R* exp(h w)* ... = exp(-h w_link) of it.
     for (const int method : {dBatchDifferences, dBatchExact}) {
         const Linear its = linear_of(copies, method);
-        const double w[3] = {0.3, -2, 1}, rate = std::sqrt(0.09 + 4 + 1), angle = kH * rate,
+        const double w[3] = {0.3, -2, 1}, rate = std::sqrt(0.09 + 4 + 1), angle = kDerivativeStep * rate,
                      s = std::sin(angle), c = std::cos(angle);
         double u[3], worst = 0;
         for (int k = 0; k < 3; ++k) u[k] = w[k] / rate;
@@ -110,20 +110,20 @@ TEST(BatchDerivatives, of_a_sliding_block_follow_the_cone)
         R"(<mujoco><option gravity="0 0 -10"/><worldbody><geom type="plane" size="9 9 1" friction="0.5"/>
 <body pos="0 0 0.0999"><joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/><joint type="slide" axis="0 0 1"/>
 <geom size="0.1" mass="3" friction="0.5"/></body></worldbody></mujoco>)");
-    Copies<double> copies(model, 1, dReal(kH), 0, 1, 200, 0);  // overlaps stay
+    Copies<double> copies(model, 1, dReal(kDerivativeStep), 0, 1, 200, 0);  // overlaps stay
     copies.write(dBatchVelocities, {2, 0, 0});
     for (const int method : {dBatchDifferences, dBatchExact}) {
         const Linear its = linear_of(copies, method);
-        const double loss = 0.5 * 10 * kH, tolerance = sizeof(dReal) == 8 ? 1e-7 : 1e-4;
+        const double loss = 0.5 * 10 * kDerivativeStep, tolerance = sizeof(dReal) == 8 ? 1e-7 : 1e-4;
         EXPECT_NEAR(its.a[size_t(3 * 6 + 3)], 1, tolerance);
         // Of v = (2, e) the loss has the direction of v+, which is that of v.
         EXPECT_NEAR(its.a[size_t(4 * 6 + 4)], 1 - loss / 2, tolerance);
         const auto friction = over(copies, method, dBatchFrictions),
                    mass = over(copies, method, dBatchMasses);
-        EXPECT_NEAR(friction[3], -10 * kH, tolerance);
-        EXPECT_NEAR(friction[0], -10 * kH * kH, tolerance);
+        EXPECT_NEAR(friction[3], -10 * kDerivativeStep, tolerance);
+        EXPECT_NEAR(friction[0], -10 * kDerivativeStep * kDerivativeStep, tolerance);
         EXPECT_NEAR(mass[size_t(3 * 2 + 1)], 0, tolerance);
-        EXPECT_NEAR(over(copies, method, dBatchGravity)[size_t(3 * 3 + 2)], 0.5 * kH, tolerance);
+        EXPECT_NEAR(over(copies, method, dBatchGravity)[size_t(3 * 3 + 2)], 0.5 * kDerivativeStep, tolerance);
     }
     dRobotModelDestroy(model);
 }
@@ -140,7 +140,7 @@ void expect_exact_as_differences(const char* text, const std::vector<double>& q,
 {
     if (sizeof(dReal) == 4) GTEST_SKIP() << "models and states pass through dReal";
     const dRobotModelID model = model_of(text);
-    Copies<double> copies(model, 1, dReal(kH));
+    Copies<double> copies(model, 1, dReal(kDerivativeStep));
     copies.write(dBatchPositions, q), copies.write(dBatchVelocities, v),
         copies.write(dBatchControls, controls);
     const dReal far = dReal(1.0 / 131072), near = far / 2;
@@ -233,7 +233,7 @@ TEST(BatchDerivatives, that_are_exact_are_differences_of_single_rows)
 TEST(BatchDerivatives, of_controls_end_with_their_range)
 {
     const dRobotModelID model = model_of(kWalker);
-    Copies<double> copies(model, 3, dReal(kH));
+    Copies<double> copies(model, 3, dReal(kDerivativeStep));
     std::vector<double> q = copies.read(dBatchPositions);
     for (int i = 0; i < 3; ++i) q[size_t(i * 15 + 2)] = 3;
     copies.write(dBatchPositions, q);
@@ -255,7 +255,7 @@ std::uint64_t hash_of_derivatives(int threads, int lead)
 {
     const dRobotModelID model = model_of(kWalker);
     constexpr int kCopies = 9;
-    Copies<T> copies(model, lead + kCopies, dReal(kH), 0, threads);
+    Copies<T> copies(model, lead + kCopies, dReal(kDerivativeStep), 0, threads);
     for (int i = 0; i < kCopies; ++i) {
         Dice dice(unsigned(40 + i));
         auto q = any_positions(model, dice), v = dice.many(14, -1, 1), c = dice.many(5, -1, 1);
@@ -291,12 +291,12 @@ TEST(BatchDerivatives, are_golden)
 TEST(BatchDerivatives, are_of_each_copys_own_numbers)
 {
     const dRobotModelID model = model_of(kSlider);
-    Copies<double> copies(model, 3, dReal(kH));
+    Copies<double> copies(model, 3, dReal(kDerivativeStep));
     const double mass[2] = {0, 6};
     EXPECT_EQ(dBatchWriteParameter(copies.id, dBatchMasses, 1, 1, mass), 1);
     const Linear its = linear_of(copies, dBatchExact, 0, 3);
-    EXPECT_NEAR(its.a[4], 1.5 / (1.5 + 2 * kH + 30 * kH * kH), 1e-6);
-    EXPECT_NEAR(its.a[9 + 4], 6 / (6 + 2 * kH + 30 * kH * kH), 1e-6);
+    EXPECT_NEAR(its.a[4], 1.5 / (1.5 + 2 * kDerivativeStep + 30 * kDerivativeStep * kDerivativeStep), 1e-6);
+    EXPECT_NEAR(its.a[9 + 4], 6 / (6 + 2 * kDerivativeStep + 30 * kDerivativeStep * kDerivativeStep), 1e-6);
     EXPECT_EQ(its.a[4], its.a[18 + 4]);
     dRobotModelDestroy(model);
 }
@@ -304,7 +304,7 @@ TEST(BatchDerivatives, are_of_each_copys_own_numbers)
 TEST(BatchDerivatives, of_bad_copies_are_no_numbers)
 {
     const dRobotModelID model = model_of(kWalker);
-    Copies<float> copies(model, 2, dReal(kH));
+    Copies<float> copies(model, 2, dReal(kDerivativeStep));
     copies.write_one(dBatchVelocities, 1, std::vector<float>(14, 9e14f));
     dBatchStep(copies.id, 50);
     ASSERT_EQ(dBatchCountBad(copies.id), 1);
@@ -318,7 +318,7 @@ TEST(BatchDerivatives, of_bad_copies_are_no_numbers)
 TEST(BatchDerivatives, refuse_what_cannot_be)
 {
     const dRobotModelID model = model_of(kWalker);
-    Copies<double> copies(model, 2, dReal(kH));
+    Copies<double> copies(model, 2, dReal(kDerivativeStep));
     std::vector<double> a(2 * 28 * 28, 7), b(2 * 28 * 5, 7);
     const dReal far[3] = {0, dReal(1e12), 0};
     dSetMessageHandler([](int, const char*, va_list) {});
@@ -335,7 +335,7 @@ TEST(BatchDerivatives, refuse_what_cannot_be)
     EXPECT_EQ(dBatchGetTangentSize(nullptr), 0);
     const dRobotModelID rolling = model_of(
         R"(<mujoco><worldbody><geom type="plane" size="9 9 1"/><body pos="0 0 .1"><freejoint/><geom size=".1" mass="1" condim="6"/></body></worldbody></mujoco>)");
-    Copies<double> balls(rolling, 1, dReal(kH));
+    Copies<double> balls(rolling, 1, dReal(kDerivativeStep));
     EXPECT_EQ(dBatchLinearise(balls.id, dBatchExact, 0, 0, 1, a.data(), nullptr), 0);
     dSetMessageHandler(nullptr);
     for (const double x : a) EXPECT_EQ(x, 7);
@@ -349,7 +349,7 @@ void expect_jacobians(const char* text, double tolerance)
 {
     const dRobotModelID model = model_of(text);
     constexpr int kCopies = 11;
-    Copies<T> copies(model, kCopies, dReal(kH));
+    Copies<T> copies(model, kCopies, dReal(kDerivativeStep));
     Dice dice(8);
     for (int i = 0; i < kCopies; ++i) {
         const auto q = any_positions(model, dice);

@@ -14,7 +14,7 @@
 namespace epode::tests {
 namespace {
 
-constexpr dReal kStep = dReal(1e-6), kCorrection = dReal(0.1);
+constexpr dReal kShortStep = dReal(1e-6), kTakingBack = dReal(0.1);
 
 class RandomTree {
   public:
@@ -158,14 +158,14 @@ class RandomModels : public testing::Test {
         const dSpaceID space = dSimpleSpaceCreate(nullptr);
         const dJointGroupID group = dJointGroupCreate(0);
         dWorldSetGravity(world, 0, 0, dReal(-9.81)), dWorldSetERP(world, dReal(0.2)), dWorldSetCFM(world, 0);
-        dWorldSetContactMaxCorrectingVel(world, kCorrection), dWorldSetFrictionCone(world, 1);
+        dWorldSetContactMaxCorrectingVel(world, kTakingBack), dWorldSetFrictionCone(world, 1);
         const dRobotID robot = dRobotCreate(world, space, model, nullptr, nullptr);
         dRobotSetPositions(robot, reals_of(q).data(), int(q.size()));
         for (size_t i = 0; i < control.size(); ++i) dRobotSetControl(robot, int(i), dReal(control[i]));
         Contacts contacts{world, group, mu, 0};
         dSpaceCollide(space, &contacts, touch);
         dWorldSetStepReportMode(world, 1);
-        dWorldStep(world, kStep);
+        dWorldStep(world, kShortStep);
         dWorldStepReport report{};
         report.struct_size = sizeof report;
         dWorldGetStepReport(world, &report);
@@ -184,7 +184,7 @@ class RandomModels : public testing::Test {
         const dRobotModelID model = model_of(text.c_str());
         ASSERT_NE(model, nullptr) << text;
         Dice dice(seed + 1000);
-        Copies<double> copies(model, states, kStep, dReal(1e-13), 1, 20000, kCorrection);
+        Copies<double> copies(model, states, kShortStep, dReal(1e-13), 1, 20000, kTakingBack);
         ASSERT_NE(copies.id, nullptr) << text;
         const int controls = dBatchGetSize(copies.id, dBatchControls),
                   pairs = dBatchGetParameterSize(copies.id, dBatchFrictions);
@@ -208,7 +208,7 @@ class RandomModels : public testing::Test {
                 worst = std::max(worst, std::fabs(double(want[k]) - got[k]));
                 largest = std::max(largest, std::fabs(got[k]));
             }
-            worst -= 2 * double(kStep) * largest * largest;
+            worst -= 2 * double(kShortStep) * largest * largest;
             // What either says itself to have left unsolved is not compared.
             if (out.unsolved_in_worlds > unsolved) continue;
             if (!(copies.read(dBatchResidual, i, 1)[0] < 1e-9)) {

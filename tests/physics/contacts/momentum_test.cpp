@@ -156,7 +156,7 @@ TEST_P(Balance, of_a_pile_that_tumbles)
     run(180);
 }
 
-std::string balance_name(const testing::TestParamInfo<std::tuple<Stepper, int>>& info)
+std::string balance_name(const testing::TestParamInfo<std::tuple<Stepper, int>>& its)
 {
     return std::string(name_of(std::get<0>(its.param))) + "_" + kFrictions[std::get<1>(its.param)].name;
 }
