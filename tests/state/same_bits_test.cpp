@@ -25,14 +25,14 @@ struct Golden {
     std::uint64_t saved, later;
 };
 
-constexpr Golden kGolden[2][8] = {{{0x3ba9e653dfd960d8, 0x32537b8cfa63a205},
+constexpr Golden kGolden[2][8] = {{{0xe51a5279bbbc41e0, 0xa4102947598ae795},
                                    {0x0772853e028d748d, 0x4ca04219cd8d315f},
                                    {0x3f978dac6365b570, 0x7f7a0d162838e407},
-                                   {0x23e46a1b71f17bb5, 0x8de9a2caffbf76d3},
-                                   {0xd9c790cae6eeacee, 0xe73f8f60c7ff6250},
+                                   {0xeb9c465763593b4a, 0x594fb5222770b717},
+                                   {0x24086652d3f05001, 0xd0e3900b068f371b},
                                    {0xd10e4193131c6694, 0x9008f935f1b0ce4d},
                                    {0x573a013ef869e135, 0x4461464954705a5e},
-                                   {0xa02f6c52604a2bdf, 0x0e26cdd52ed060ac}},
+                                   {0x7988c4a09d623dfe, 0x233a5f325fa8a00d}},
                                   {{0x5bd7820f4a5c8cb0, 0x3902e627b17d1673},
                                    {0xad047417bd0e6c07, 0x5877d84cef7e2911},
                                    {0x1bc18893bb169c8d, 0x74bd079bbdc43b77},

@@ -18,6 +18,9 @@ namespace {
 constexpr double kResidual = tol(1e-9, 1e-4);
 constexpr double kJudged = 1.5e11;  // m
 
+// Rows that contradict each other without softness (CFM 0): no velocities satisfy all of them.
+constexpr int kContradicting[] = {3, 200, 352};
+
 class Mechanisms : public testing::TestWithParam<int> {};
 
 TEST_P(Mechanisms, are_solved_in_every_step)
@@ -25,6 +28,7 @@ TEST_P(Mechanisms, are_solved_in_every_step)
     const Messages messages;
     mechanisms::Mechanism m(GetParam());
     dWorldSetStepReportMode(m.world, 1);
+    const bool contradicts = std::count(std::begin(kContradicting), std::end(kContradicting), GetParam()) > 0;
     double worst = 0;
     for (int i = 0; i < 200; ++i) {
         m.collide();
@@ -34,6 +38,7 @@ TEST_P(Mechanisms, are_solved_in_every_step)
         ASSERT_EQ(dWorldGetStepReport(m.world, &r), 1);
         ASSERT_EQ(r.contained_islands, 0) << "step " << i;
         if (!(r.joint_error < kJudged)) break;
+        if (contradicts && r.unsolved_joints > 0) continue;  // which the report says
         ASSERT_LE(r.residual, kResidual) << "step " << i << ", " << m.summary();
         worst = std::max(worst, r.residual);
     }
