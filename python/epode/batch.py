@@ -20,9 +20,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _c
+from ._poses import _moved
 from .errors import RefusedError
 from .recording import Recording
-from .robot import Model, _moved
+from .robot import Model
 from .world import World
 
 _QUANTITIES = ("qpos", "qvel", "ctrl", "applied", "forces", "bad", "residual", "sweeps", "act",

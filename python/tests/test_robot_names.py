@@ -47,6 +47,8 @@ NAMES = {
     "dBatchGetSize": "epode.Batch.size", "dBatchRead": "epode.Batch.read", "dBatchWrite": "epode.Batch.write",
     "dBatchGetParameterSize": "epode.Batch.get", "dBatchReadParameter": "epode.Batch.get", "dBatchWriteParameter": "epode.Batch.set",
     "dBatchBind": "epode.Batch.bind", "dBatchStep": "epode.Batch.step", "dBatchReset": "epode.Batch.reset",
+    "dBatchGetSensor": "epode.Batch.sensors", "dBatchJacobian": "epode.Batch.jacobian", "dBatchGetTangentSize": "epode.Batch.tangent_size",
+    "dBatchLinearise": "epode.Batch.linearise", "dBatchLineariseParameter": "epode.Batch.linearise_parameter",
     "dBatchCastRays": "epode.Batch.rays", "dBatchCountBad": "epode.Batch.bad",
 }
 OF_INSTANCES = {"robot.Model.starts", "robot.Model.sensors"}  # set when a model is made

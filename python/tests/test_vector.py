@@ -303,10 +303,10 @@ def test_what_is_wrong_raises_and_changes_nothing(tmp_path):
         vector("Ant", 1, speed=3)
     with pytest.raises(ValueError, match="HalfCheetah"):
         vector("Cat")
-    file = tmp_path / "ring.xml"
-    file.write_text("""<mujoco><option timestep="0.01"/><worldbody><body name="a"><joint/><geom size=".1"/></body><body name="b"><joint/><geom size=".1"/></body>
-</worldbody><equality><connect name="ring" body1="a" body2="b" anchor="0 0 .5"/></equality></mujoco>""")
-    with pytest.raises(epode.RefusedError, match="ring"):
+    file = tmp_path / "rope.xml"
+    file.write_text("""<mujoco><option timestep="0.01"/><worldbody><site name="s"/><body name="a" pos="0 0 1"><joint/><geom size=".1"/><site name="t"/></body>
+</worldbody><tendon><spatial name="rope" stiffness="1"><site site="s"/><site site="t"/></spatial></tendon></mujoco>""")
+    with pytest.raises(epode.RefusedError, match="rope"):
         vector("Swimmer", xml_file=str(file))
 
 

@@ -53,7 +53,8 @@ class Landscape:
     def _from_centre(self) -> Heights:
         """How far each point of a field is from its centre along x or y, whichever is more, m."""
         along = np.abs(np.arange(self.cells + 1) - self.cells / 2) * self.cell
-        return np.maximum(along[:, None], along[None, :])
+        far: Heights = np.maximum(along[:, None], along[None, :])
+        return far
 
     def _platform(self) -> NDArray[np.bool_]:
         far = self._from_centre()
