@@ -86,6 +86,8 @@ void detach(Joint& joint)
 void attach(Joint& joint, Body* a, Body* b)
 {
     if (joint.attached()) detach(joint);
+    // A state tells of it, bodies or none.
+    if (joint.world && !is_contact(joint) && joint.reverse != (a == nullptr)) note_structure_changed();
     joint.reverse = a == nullptr;
     if (joint.reverse) a = b, b = nullptr;
     enter(joint.node[0], a);
