@@ -10,7 +10,8 @@
 
 #include <algorithm>
 
-#include "batch/shape_geoms.h"
+#include "batch/place_geom.h"
+#include "robots/shape_geom.h"
 
 namespace epode::batch {
 
@@ -53,7 +54,8 @@ int moved_points(dGeomID a, dGeomID b, Vec at, double shift, Vec n, int most, As
 
 PairAsker::PairAsker(const AskedPairs& pairs) : pairs_(pairs)
 {
-    for (const AskedShape& shape : pairs.shapes) geoms_.push_back(make_geom(*pairs.prepared, shape));
+    for (const AskedShape& shape : pairs.shapes)
+        geoms_.push_back(make_geom(nullptr, *pairs.prepared, *shape.shape, shape.part));
 }
 
 PairAsker::~PairAsker()

@@ -9,7 +9,8 @@
 #include <cmath>
 #include <new>
 
-#include "batch/shape_geoms.h"
+#include "batch/place_geom.h"
+#include "robots/shape_geom.h"
 
 namespace epode::batch {
 
@@ -63,8 +64,7 @@ RayCaster::RayCaster(const BatchModel& model) : space_(dSimpleSpaceCreate(nullpt
         for (const Shape& shape : prepared.model().links[link].shapes) {
             for (int part = 0; part < parts_of(prepared, shape); ++part) {
                 const AskedShape its{number, &shape, part};
-                if (const dGeomID geom = make_geom(prepared, its)) {
-                    dSpaceAdd(space_, geom);
+                if (const dGeomID geom = make_geom(space_, prepared, shape, part)) {
                     solids_.push_back({its, int(link), geom});
                 }
             }

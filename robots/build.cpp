@@ -11,6 +11,7 @@
 
 #include "robots/body_poses.h"
 #include "robots/inertia.h"
+#include "robots/shape_geom.h"
 
 namespace epode::robots {
 
@@ -266,47 +267,13 @@ void Robot::exclude(dWorldID world, int link1, int link2)
     all_joints_.push_back(motor);
 }
 
-dGeomID Robot::make_geom(dSpaceID space, const Shape& shape)
-{
-    const dReal x = dReal(shape.size.x), y = dReal(shape.size.y), z = dReal(shape.size.z);
-    switch (shape.kind) {
-        case ShapeKind::kSphere:
-            return dCreateSphere(space, x);
-        case ShapeKind::kBox:
-            return dCreateBox(space, 2 * x, 2 * y, 2 * z);
-        case ShapeKind::kCapsule:
-            return dCreateCapsule(space, x, 2 * y);
-        case ShapeKind::kCylinder:
-            return dCreateCylinder(space, x, 2 * y);
-        case ShapeKind::kEllipsoid:
-            return dCreateEllipsoid(space, x, y, z);
-        case ShapeKind::kPlane:
-            return nullptr;  // placed where its link stands: make_shape
-        case ShapeKind::kHull:
-            return nullptr;  // one or several: make_shape
-        case ShapeKind::kHeights:
-            return dCreateHeightfield(space, prepared_->heights(shape.field), 1);
-        case ShapeKind::kTriangles:
-            if (!prepared_->triangles(shape.mesh)) return nullptr;
-            return dCreateTriMesh(space, prepared_->triangles(shape.mesh), nullptr, nullptr, nullptr);
-    }
-    return nullptr;
-}
-
 void Robot::make_shape(dSpaceID space, int link, const Shape& shape)
 {
-    if (shape.kind == ShapeKind::kPlane && !body(link)) {
-        const Pose at = reference_[size_t(link)] * shape.pose;
-        const Vec n = rotate(at.q, {0, 0, 1});
-        add_geom(dCreatePlane(space, dReal(n.x), dReal(n.y), dReal(n.z), dReal(dot(n, at.p))), link, shape);
-    } else if (shape.kind == ShapeKind::kHull) {
-        for (const Hull& hull : prepared_->hulls(shape.mesh))
-            add_geom(
-                dCreateConvex(space, hull.planes.data(), unsigned(hull.planes.size() / 4), hull.points.data(),
-                              unsigned(hull.points.size() / 3), hull.polygons.data()),
-                link, shape);
-    } else {
-        add_geom(make_geom(space, shape), link, shape);
+    if (shape.kind == ShapeKind::kPlane && body(link)) return;  // a plane does not move
+    for (int part = 0; part < parts_of(*prepared_, shape); ++part) {
+        const dGeomID geom = make_geom(space, *prepared_, shape, part);
+        if (geom && shape.kind == ShapeKind::kPlane) put_plane(geom, reference_[size_t(link)] * shape.pose);
+        add_geom(geom, link, shape);
     }
 }
 

@@ -136,7 +136,6 @@ class Robot {
     void destroy();
     void make_bodies(dWorldID world);
     void make_shape(dSpaceID space, int link, const Shape& shape);
-    dGeomID make_geom(dSpaceID space, const Shape& shape);
     void add_geom(dGeomID geom, int link, const Shape& shape);
     void make_joints(dWorldID world);
     dJointID make_joint(dWorldID world, int number, dBodyID child, dBodyID parent, const Pose& frame);

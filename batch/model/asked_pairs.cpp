@@ -66,12 +66,6 @@ bool is_landscape(const Shape& shape)
 
 }  // namespace
 
-int parts_of(const Prepared& prepared, const Shape& shape)
-{
-    if (shape.kind == ShapeKind::kTriangles) return prepared.triangles(shape.mesh) ? 1 : 0;
-    return shape.kind == ShapeKind::kHull ? int(prepared.hulls(shape.mesh).size()) : 1;
-}
-
 double AskedPairs::rank(const AskedShape& its) const
 {
     if (its.shape->kind == ShapeKind::kPlane) return 3 * kInfinity;

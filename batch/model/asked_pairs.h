@@ -19,9 +19,6 @@ struct AskedShape {
     int part = 0;
 };
 
-// Of how many a shape consists: a mesh of its hulls. Plates and lines have none, and touch nothing.
-int parts_of(const robots::Prepared& prepared, const robots::Shape& shape);
-
 // One shape lies within a ball, the other within a box, each in its own axes; a plane has no box.
 struct AskedPair {
     int shape_a = 0, shape_b = 0;  // in AskedPairs

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "batch/model/loops.h"
+#include "robots/shape_geom.h"
 
 namespace epode::batch {
 
