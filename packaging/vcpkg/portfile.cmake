@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+#
+# A port of vcpkg, for an overlay (--overlay-ports): the library and its headers. scripts/release writes where the source is and its
+# SHA512 in place of @URL@ and @SHA512@.
+vcpkg_download_distfile(ARCHIVE URLS "@URL@" FILENAME "epode-${VERSION}.tar.gz" SHA512 @SHA512@)
+vcpkg_extract_source_archive(SOURCE_PATH ARCHIVE "${ARCHIVE}")
+
+set(PRECISIONS double)
+if("single" IN_LIST FEATURES)
+  set(PRECISIONS "double\;single")
+endif()
+vcpkg_cmake_configure(SOURCE_PATH "${SOURCE_PATH}"
+                      OPTIONS "-DEPODE_PRECISIONS=${PRECISIONS}" -DEPODE_TESTS=OFF -DEPODE_TOOLS=OFF -DEPODE_INSTALL=ON)
+vcpkg_cmake_install()
+vcpkg_cmake_config_fixup(PACKAGE_NAME ode CONFIG_PATH lib/cmake/ode)
+vcpkg_fixup_pkgconfig()
+file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/debug/include" "${CURRENT_PACKAGES_DIR}/debug/share")
+vcpkg_install_copyright(FILE_LIST "${SOURCE_PATH}/LICENSE")
