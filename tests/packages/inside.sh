@@ -78,6 +78,6 @@ ok "python3-epode: $(cat log)"
 
 quietly apt-get install -y --allow-downgrades --allow-remove-essential libode8 libode-dev
 installed libode8 || fail "Debian's own does not come back"
-if installed libepode8; then fail "libepode8 stays beside libode8"; fi
+if installed libepode8; then fail "libepode8 stays next to libode8"; fi
 installed xmoto || fail "xmoto is gone"
 ok "and back to Debian's"
