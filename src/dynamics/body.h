@@ -58,8 +58,9 @@ struct HybridState {
     std::uint16_t work = 0;     // of the last exact step, microseconds; 0: unknown
     std::uint8_t strained = 0;  // steps for which its joints stay exact in substeps
     std::uint8_t refused = 0;   // steps for which the island is not solved exactly: it took too much work
+    std::uint8_t apart = 0;     // steps with wide gaps in its joints, less those with none; up to 15
 
-    bool remembers() const { return was_exact || work > 0 || strained > 0 || refused > 0; }
+    bool remembers() const { return was_exact || work > 0 || strained > 0 || refused > 0 || apart > 0; }
 };
 
 struct Body : Numbered {

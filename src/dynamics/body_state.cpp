@@ -257,13 +257,16 @@ void take_bits(Body& body, std::uint16_t bits)
 void hybrid(Body& body, StateStream& stream)
 {
     HybridState& h = body.hybrid;
-    const std::uint32_t word = stream.word(std::uint32_t(h.work) << 16 | std::uint32_t(h.was_exact) << 15 |
-                                           std::uint32_t(h.refused) << 8 | h.strained);
+    // Work 16 bits, exact 1, half of apart 2, refused 5, the other half 2, strained 6.
+    const std::uint32_t word =
+        stream.word(std::uint32_t(h.work) << 16 | std::uint32_t(h.was_exact) << 15 | (h.apart >> 2u) << 13 |
+                    std::uint32_t(h.refused) << 8 | (h.apart & 3u) << 6 | h.strained);
     if (!stream.stores()) return;
     const bool old = stream.format() < 6;  // with factorisations instead of work
     h.was_exact = word >> (old ? 8 : 15) & 1;
-    h.strained = std::uint8_t(old ? word >> 16 : word);
-    h.refused = std::uint8_t(old ? 0 : word >> 8 & 127), h.work = std::uint16_t(old ? 0 : word >> 16);
+    h.strained = std::uint8_t(old ? word >> 16 : word & 63);
+    h.refused = std::uint8_t(old ? 0 : word >> 8 & 31), h.work = std::uint16_t(old ? 0 : word >> 16);
+    h.apart = std::uint8_t(old ? 0 : (word >> 13 & 3) << 2 | (word >> 6 & 3));
 }
 
 std::uint16_t bits_of(const Body& body)

@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "dynamics/coupling.h"
+#include "step/island/strain.h"
 
 namespace epode {
 namespace {
@@ -233,6 +234,7 @@ void remember_choice(const Island& island, const IslandMethod& method, bool hybr
             state.strained = kStrainedSteps;
         else if (state.strained > 0)
             --state.strained;
+        note_gap(state, method.gap);
         if (!hybrid) continue;
         state.was_exact = exact;
         if (direct)

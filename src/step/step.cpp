@@ -26,6 +26,7 @@
 #include "step/island/energy_ledger.h"
 #include "step/island/island_step.h"
 #include "step/island/report.h"
+#include "step/island/strain.h"
 #include "step/stepping.h"
 #include "step/validate.h"
 #include "tasks/tasks.h"
@@ -292,6 +293,7 @@ class WorldStep {
         if (has_many_manifolds(i) || has_many_manifolds(i - 1)) return false;
         if (islands_[i].settles() != islands_[i - 1].settles()) return false;
         const Solver& solver = solver_of(i);
+        if (solver.substeps && substep_factor(islands_[i]) != substep_factor(islands_[i - 1])) return false;
         const bool joints = !islands_[i].joints.empty(), before = !islands_[i - 1].joints.empty();
         if (&solver != &solver_of(i - 1)) return false;
         if (!makes_groups(solver)) return is_free(i) && is_free(i - 1);

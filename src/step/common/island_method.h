@@ -19,6 +19,7 @@ struct IslandMethod {
     double work = 0;        // of an exact solution
     bool gave_up = false;   // it would have taken more: the fallback has solved the island
     bool strained = false;  // its joints came apart (step/island/strain.h)
+    Real gap = 0;           // of its joints at the step's beginning, relative, likewise
 };
 
 }  // namespace epode

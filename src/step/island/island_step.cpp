@@ -67,6 +67,7 @@ class IslandStep {
     {
         work_.island = joined(members);
         work_.members = members;
+        if (context.solver.substeps) factor_ = substep_factor(work_.island);
     }
 
     // False: out of memory, or a solution that is not finite in an island without parts.
@@ -87,7 +88,7 @@ class IslandStep {
             closes_stops_ = leave_stops_to_poses(world_, work_.system);
         SolverSettings settings;
         settings.iterations = iterations();
-        settings.swept_iterations = context_.iterations;
+        settings.swept_iterations = swept_iterations();
         settings.w = world_.quick_w;
         settings.seed = world_.step_count * 0x9e3779b97f4a7c15u + std::uint64_t(place_.draw);
         settings.want_residual = !reports.empty();
@@ -262,8 +263,10 @@ class IslandStep {
     int iterations() const
     {
         const int n = context_.iterations, factor = context_.solver.settling_factor;
-        return work_.island.settles() && !sweeps_joints() && n < kManyIterations ? n * factor : n;
+        if (sweeps_joints()) return swept_iterations();
+        return work_.island.settles() && n < kManyIterations ? n * factor : n;
     }
+    int swept_iterations() const { return context_.iterations * factor_; }
     Real warm_share() const { return world_.warm_starting * context_.solver.warm_share; }
     // What joints leave open in substeps depends on their number: with another one they would jerk.
     bool sweeps_joints() const { return &context_.solver == &kTgs && has_lasting_joints(work_.island); }
@@ -453,6 +456,7 @@ class IslandStep {
     std::span<bool> set_aside_;  // of each part
     WorkMeter work_meter_{};
     int factorisations_ = 0;
+    int factor_ = 1;    // of its substeps
     int substeps_ = 1;  // if the solver has any
     ProjectionReport projected_;
     bool closes_stops_ = false;

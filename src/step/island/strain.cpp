@@ -12,6 +12,8 @@ namespace {
 
 constexpr Real kGap = Real(0.001);
 constexpr double kGain = 0.003, kGainIfDriven = 0.05;
+constexpr Real kWide = Real(0.02), kClosed = Real(0.0002);          // gaps
+constexpr std::uint8_t kTwice = 4, kFourTimes = 10, kLongest = 15;  // steps with wide gaps
 
 // The radius of gyration, from the mean of the principal moments; 0 of what cannot move.
 Real gyration(const Body& body)
@@ -28,31 +30,32 @@ Real gyration(const IslandWork& work, int body)
 // Rows that the program has made soft, stops and drives are not meant to hold.
 bool holds(const Row& row) { return row.kind == RowKind::kLock && !row.soft && !row.drive; }
 
-bool is_apart(const IslandWork& work, const RowBlock& block)
+// The largest of an angle and of a distance over arms and radii.
+Real gap_of(const IslandWork& work, const RowBlock& block)
 {
-    Real distance = 0, arms = 0;
+    Real distance = 0, arms = 0, angle = 0;
     for (int i = block.first; i < block.first + block.count; ++i) {
         const Row& row = work.system.rows[std::size_t(i)];
         if (!holds(row)) continue;
         const bool turns = row.lin1 == Vec3{} && row.lin2 == Vec3{};
-        if (turns && std::abs(row.error) > kGap) return true;
-        if (turns) continue;
-        distance = std::max(distance, std::abs(row.error));
-        arms = std::max(arms, length(row.ang1) + length(row.ang2));
+        Real& largest = turns ? angle : distance;
+        largest = std::max(largest, std::abs(row.error));
+        if (!turns) arms = std::max(arms, length(row.ang1) + length(row.ang2));
     }
-    if (!(distance > 0)) return false;
-    return distance > kGap * (arms + gyration(work, block.body1) + gyration(work, block.body2));
+    if (!(distance > 0)) return angle;
+    return std::max(angle, distance / (arms + gyration(work, block.body1) + gyration(work, block.body2)));
 }
 
-bool has_gap(const IslandWork& work, int part)
+Real gap_of(const IslandWork& work, int part)
 {
+    Real gap = 0;
     const SystemPart from = work.system.begin_of(part), to = work.system.end_of(part);
     for (int k = from.blocks; k < to.blocks; ++k) {
         const RowBlock& block = work.system.blocks[std::size_t(k)];
         const bool joint = !block.contact && block.term_count == 0;
-        if (joint && is_apart(work, block)) return true;
+        if (joint) gap = std::max(gap, gap_of(work, block));
     }
-    return false;
+    return gap;
 }
 
 // Has it a force or a torque besides its weight? Its accumulators have both by now.
@@ -100,8 +103,9 @@ PartEnergy energy_of_part(const World& world, const IslandWork& work, int part)
 
 StrainWatch::Before StrainWatch::before(const World& world, const IslandWork& work, int part)
 {
-    if (!has_gap(work, part)) return {};
-    return {true, is_driven(world, work, part), energy_of_part(world, work, part).sum};
+    const Real gap = gap_of(work, part);
+    if (!(gap > kGap)) return {gap};
+    return {gap, is_driven(world, work, part), energy_of_part(world, work, part).sum};
 }
 
 bool StrainWatch::begin(const World& world, const IslandWork& work, Arena& arena)
@@ -117,11 +121,28 @@ void StrainWatch::end(const World& world, const IslandWork& work, std::span<Isla
 {
     for (int part = 0; part < int(before_.size()); ++part) {
         const Before& then = before_[std::size_t(part)];
-        if (!then.apart) continue;
+        methods[std::size_t(part)].gap = then.gap;
+        if (!(then.gap > kGap)) continue;
         const PartEnergy now = energy_of_part(world, work, part);
         const double gain = then.driven ? kGainIfDriven : kGain;
         methods[std::size_t(part)].strained = now.sum - then.energy > gain * now.scale;
     }
+}
+
+void note_gap(HybridState& state, Real gap)
+{
+    if (gap > kWide)
+        state.apart = std::min<std::uint8_t>(state.apart + 1, kLongest);
+    else if (gap < kClosed && state.apart > 0)
+        --state.apart;
+}
+
+int substep_factor(const Island& island)
+{
+    if (!has_lasting_joints(island)) return 1;
+    int apart = 0;
+    for (const Body* body : island.bodies) apart = std::max(apart, int(body->hybrid.apart));
+    return apart < kTwice ? 1 : apart < kFourTimes ? 2 : 4;
 }
 
 }  // namespace epode

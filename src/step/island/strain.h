@@ -13,6 +13,11 @@
 //
 // Either alone is common in health: blows part joints, motors raise energy. Such an island takes exact joints
 // in its next steps (step/hybrid.h); a false alarm costs time only.
+//
+// A structure of many joints may give way without a gain: what a sweep removes of an error that many joints
+// share is small (step/island/problem/joint_memory.h), and where weight presses harder than that, a wall leans
+// and falls as if of jelly. Its gaps are wide, and stay: steps note the largest, and an island whose gaps stay
+// wide takes more substeps, until they have closed.
 #pragma once
 
 #include "step/common/island_method.h"
@@ -24,19 +29,24 @@ class StrainWatch {
   public:
     // After the rows are written and before anything moves. False: out of memory.
     bool begin(const World& world, const IslandWork& work, Arena& arena);
-    // After the bodies have moved: notes it in the methods, one for each part.
+    // After the bodies have moved: notes strain and gap in the methods, one for each part.
     void end(const World& world, const IslandWork& work, std::span<IslandMethod> methods) const;
 
   private:
     // Of a part at the beginning.
     struct Before {
-        bool apart;
-        bool driven;  // more than weight and joints acts
-        double energy;
+        Real gap = 0;
+        bool driven = false;  // more than weight and joints acts
+        double energy = 0;
     };
     static Before before(const World& world, const IslandWork& work, int part);
 
     std::span<Before> before_;
 };
+
+// After a step whose joints began with this gap.
+void note_gap(HybridState& state, Real gap);
+// So many times the substeps for an island whose gaps stay wide: 1, 2 or 4.
+int substep_factor(const Island& island);
 
 }  // namespace epode
