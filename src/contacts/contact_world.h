@@ -138,6 +138,12 @@ class ContactWorld {
         std::uint64_t serial;
         std::uint32_t changes;
         bool meets, is_surface, is_mesh, is_solid;
+
+        // Bodies that the program has set since a step may leave its pairs without meaning.
+        static bool are_pair(const Described& a, const Described& b)
+        {
+            return a.meets && b.meets && a.body && a.body != b.body;
+        }
     };
     // How many of each a state has.
     struct StateCounts {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// random_sequences [--operations N] [--seed S] [--save FILE] [--plant]
+// random_sequences [--operations N] [--seed S] [--first SEQUENCE] [--save FILE] [--plant]
 // Plays random sequences of calls until N operations are done, each sequence from dInitODE to dCloseODE, with
 // memory handlers that keep count: what is not given back by then is a leak. A sequence runs in a child
 // process, so that a crash, a sanitizer's report or a hang is a failure like any other. The first one that
 // fails is cut down (delta debugging, Zeller and Hildebrandt 2002) and written to FILE as a C program.
+// --first begins with that sequence of the seed, to come back to one that failed.
 // --plant lets the model make a mistake, to show that mistakes are found.
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -43,6 +44,7 @@ using Operations = std::vector<std::uint64_t>;
 struct Settings {
     long operations = 20000;
     std::uint64_t seed = 1;
+    long first = 0;
     const char* save = "failed_sequence.c";
     bool plant = false;
 };
@@ -187,6 +189,7 @@ Settings read(int count, char** words)
         }
         if (word == "--operations") settings.operations = std::atol(value);
         if (word == "--seed") settings.seed = std::strtoull(value, nullptr, 10);
+        if (word == "--first") settings.first = std::atol(value);
         if (word == "--save") settings.save = value;
         ++i;
     }
@@ -198,6 +201,7 @@ int run(const Settings& settings)
     void* memory = mmap(nullptr, sizeof(Tally), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) return 2;
     Tally& tally = *new (memory) Tally{};
+    tally.current = settings.first;
     const bool good = play_all(settings, tally);
     std::printf("%ld operations in %ld sequences, %ld of them refused as the rules want\n", tally.operations,
                 tally.sequences, tally.refused);

@@ -137,7 +137,7 @@ void ContactWorld::save_pair(const Listed& listed, float layer, const SpaceGeoms
     const bool separated = !pair.on_mesh && pair.separating_axis;
     if (pair.count == 0 && !separated && !pair.touched && pair.wanted && !filter) return;
     const int n1 = geoms.find(pair.serial1), n2 = geoms.find(pair.serial2);
-    if (n1 < 0 || n2 < 0 || !described_.data()[n1].body) return;
+    if (n1 < 0 || n2 < 0 || !Described::are_pair(described_.data()[n1], described_.data()[n2])) return;
     std::byte* const begin = stream.block(kMaxPairBytes);
     if (!begin) return;
     std::byte* to = begin;
@@ -234,8 +234,7 @@ bool ContactWorld::load_pair(const World& world, StateStream& stream, std::uint3
     const std::uint32_t bits = stream.word(0);
     if (stream.failed() || !stream.demand(n1 < count && n2 < count, "a contact of no geom")) return true;
     const Described &a = described_.data()[n1], &b = described_.data()[n2];
-    if (!stream.demand(n1 != n2 && a.meets && b.meets && a.body && a.body != b.body,
-                       "a contact of geoms that do not meet"))
+    if (!stream.demand(n1 != n2 && Described::are_pair(a, b), "a contact of geoms that do not meet"))
         return true;
     ContactPair pair{a.id, b.id, a.serial, b.serial, nullptr, nullptr, -1, int(used), {}};
     pair.max_manifolds = std::uint8_t(a.is_surface || b.is_surface ? kSurfaceManifolds : 1);
