@@ -66,8 +66,8 @@ ODE_API dReal dWorldGetERP(dWorldID world);
 
 /** - dWorldSetCFM: Set the world's constraint force mixing cfm: the softness of joints, sensibly 1e-9 ... 1,
       default 1e-10 (1e-5 in single precision). Joints use the current value, except those parameters that a
-      joint copies when it is created (dParamCFM, dParamStopCFM, dParamSuspensionCFM). A negative one is
-      refused.
+      joint copies when it is created (dParamCFM, dParamStopCFM, dParamSuspensionCFM). The default has a limit
+      under heavy bodies (docs/guide/softness.md); other numbers are literal. A negative one is refused.
     - dWorldGetCFM: The world's constraint force mixing; at first 1e-10, 1e-5 in single precision. [guide] */
 ODE_API void dWorldSetCFM(dWorldID world, dReal cfm);
 ODE_API dReal dWorldGetCFM(dWorldID world);

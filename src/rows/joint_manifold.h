@@ -27,6 +27,7 @@ struct JointManifold {
     int body1, body2;  // below zero: the world, see RowBlock
     int first, count;  // of the points
     bool cone;         // friction is bounded by the ellipse of its limits, not by their box
+    bool slips;        // C of the tangents is the program's
 };
 
 struct JointManifoldPoint {

@@ -276,6 +276,7 @@ void set_friction(const Contact& contact, const StepInfo& info, JointManifold& m
     const Real cfm[2] = {contact.has(dContactSlip1) ? contact.surface().slip1 : info.cfm,
                          contact.has(dContactSlip2) ? contact.surface().slip2 : info.cfm};
     const bool share[2] = {contact.has(dContactApprox1_1), contact.has(dContactApprox1_2)};
+    m.slips = contact.has(dContactSlip1 | dContactSlip2);
     contact.tangents(m.n, m.t1, m.t2);
     for (int k = 0; k < 2; ++k) {
         m.c[k] = speed[k];
@@ -293,7 +294,7 @@ void begin_manifold(const Contact& contact, const StepInfo& info, int first, Joi
     m.n = contact.outward();
     m.offset = b ? a.position() - b->position() : Vec3{};
     m.body1 = a.island_index, m.body2 = b ? b->island_index : -1;
-    m.first = first, m.count = 0, m.cone = info.cone;
+    m.first = first, m.count = 0, m.cone = info.cone, m.slips = false;
     if (contact.sliding_at_all()) return set_friction(contact, info, m);
     m.t1 = m.t2 = {};
     for (int k = 0; k < 2; ++k) m.c[k] = m.C[k] = m.mu[k] = m.fixed[k] = 0;

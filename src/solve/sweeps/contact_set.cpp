@@ -19,7 +19,7 @@ constexpr int kRun = 32;
 
 // Fills unused lanes.
 constexpr SolverBody kAtRest{};
-constexpr JointManifold kNoManifold{{}, {}, {}, {}, {}, {}, {}, {}, -1, -1, 0, 0, false};
+constexpr JointManifold kNoManifold{{}, {}, {}, {}, {}, {}, {}, {}, -1, -1, 0, 0, false, false};
 constexpr JointManifoldPoint kNoPoint{};
 
 // Converts to float within its range: a finite limit stays finite.

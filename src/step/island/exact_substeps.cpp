@@ -20,6 +20,7 @@
 #include "solve/common/substep_rows.h"
 #include "step/island/positions/shake.h"
 #include "step/island/positions/tension.h"
+#include "step/island/problem/default_softness.h"
 #include "step/island/prompt_forces.h"
 #include "step/island/substeps.h"
 #include "step/island/write_back.h"
@@ -203,6 +204,7 @@ bool ExactSubsteps::next(IslandWork& first, const SolverSettings& settings, Solv
     load_forces();
     work.island = island_;
     if (!assemble(world_, hs_, kDirect, Tasks(1), arena_, work, nullptr)) return false;
+    limit_default_softness(world_, hs_, work.system);
     carry_contacts(first, work);
     map(work.system);
     raised =

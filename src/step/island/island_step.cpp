@@ -18,6 +18,7 @@
 #include "step/island/positions/stops.h"
 #include "step/island/positions/tension.h"
 #include "step/island/problem/assemble.h"
+#include "step/island/problem/default_softness.h"
 #include "step/island/problem/joint_memory.h"
 #include "step/island/problem/manifold_rows.h"
 #include "step/island/report.h"
@@ -77,6 +78,7 @@ class IslandStep {
         if (ledger_.wanted() && !begin_ledger()) return false;
         const Real h = has_exact_substeps() ? exact_substeps_.substep() : context_.h;
         if (!assemble(world_, h, context_.solver, tasks, arena_, work_, &context_.undo)) return false;
+        limit_default_softness(world_, inner_step(), work_.system);
         work_.system.manifold_friction = world_.manifold_friction && context_.solver.cones;
         if (has_exact_substeps()) exact_substeps_.map(work_.system);
         for (std::size_t i = 0; i < reports.size(); ++i) report_errors(work_, int(i), reports[i]);

@@ -10,6 +10,7 @@
 #include "dynamics/integrate.h"
 #include "joints/drive_rows.h"
 #include "step/island/problem/assemble.h"
+#include "step/island/problem/default_softness.h"
 #include "tasks/prefetched.h"
 
 namespace epode {
@@ -193,7 +194,9 @@ void SubstepModel::refresh(void* p, RowSystem& system, const Velocity* bodies)
             // Decided at the beginning of the step, by the velocities of then.
             const bool has_restitution = row.has_restitution;
             const Real restitution_velocity = row.restitution_velocity;
+            const Real cfm = has_default_softness(rows[i]) ? row.cfm : rows[i].cfm;
             row = rows[i];
+            row.cfm = cfm;
             row.has_restitution = has_restitution;
             row.restitution_velocity = restitution_velocity;
         }
