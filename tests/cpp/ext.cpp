@@ -137,7 +137,7 @@ void test_contacts()
     dDiagnosis cause;
     const int causes = world.diagnose(&cause, 1);
     judge("dWorldExt::diagnose", causes >= 1 && cause.kind == dDiagnosisInput,
-          Numbers(1, REAL(cause.threshold)));
+          Numbers(1, dReal(cause.threshold)));
 }
 
 void test_copies()
