@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Two passes over the rows: J^T p into velocities, then each row's own residual.
+// Two passes over the rows: J^T p into velocities, then each row's own residual. Both in double whatever Real is:
+// at 300 m/s, or where a light body passes on the load of heavy ones, J v is a small difference of terms that floats
+// round more than any solver does.
 #include "solve/common/residual.h"
 
 #include <algorithm>
@@ -12,11 +14,67 @@
 namespace epode {
 namespace {
 
-template <typename B>
-B* second(std::span<B> bodies, const ManifoldFriction& f)
+// Velocity of a body.
+struct Twist {
+    double v[3], w[3];
+};
+
+Twist twist_of(const SolverBody& body)
 {
-    return std::size_t(f.body2) < bodies.size() ? &bodies[std::size_t(f.body2)] : nullptr;
+    return {{body.v.x, body.v.y, body.v.z}, {body.w.x, body.w.y, body.w.z}};
 }
+
+double along(Vec3 a, const double* v) { return double(a.x) * v[0] + double(a.y) * v[1] + double(a.z) * v[2]; }
+double along(Vec3 lin, Vec3 ang, const Twist& t) { return along(lin, t.v) + along(ang, t.w); }
+
+// t += M^-1 (lin, ang) p
+void push(const SolverBody& body, Vec3 lin, Vec3 ang, double p, Twist& t)
+{
+    const Sym3& s = body.inv_inertia;
+    const double by_mass = double(body.inv_mass) * p, a[3] = {ang.x, ang.y, ang.z};
+    const double turn[3] = {along({s.xx, s.xy, s.xz}, a), along({s.xy, s.yy, s.yz}, a),
+                            along({s.xz, s.yz, s.zz}, a)};
+    for (int i = 0; i < 3; ++i) t.v[i] += by_mass * double(lin[i]), t.w[i] += p * turn[i];
+}
+
+// The bodies of a system, whose masses do not change, and velocities that do.
+struct Motion {
+    std::span<const SolverBody> bodies;
+    std::span<Twist> twists;
+
+    bool has(int body) const { return body >= 0 && std::size_t(body) < bodies.size(); }
+    const SolverBody* body(int i) const { return has(i) ? &bodies[std::size_t(i)] : nullptr; }
+
+    // J v of a row between two bodies, the second perhaps none.
+    double along(const Jacobian& J, int body1, int body2) const
+    {
+        double sum = epode::along(J.lin1, J.ang1, twists[std::size_t(body1)]);
+        if (has(body2)) sum += epode::along(J.lin2, J.ang2, twists[std::size_t(body2)]);
+        return sum;
+    }
+    double along(const RowSystem& system, const RowBlock& block, const Row& row) const
+    {
+        if (block.term_count == 0) return along(row, block.body1, block.body2);
+        double sum = 0;
+        for (const WideTerm& term : terms_of(system, block))
+            sum += epode::along(term.lin, term.ang, twists[std::size_t(term.body)]);
+        return sum;
+    }
+
+    void push_one(int i, Vec3 lin, Vec3 ang, double p)
+    {
+        if (has(i)) push(bodies[std::size_t(i)], lin, ang, p, twists[std::size_t(i)]);
+    }
+    void push_both(const Jacobian& J, int body1, int body2, double p)
+    {
+        push_one(body1, J.lin1, J.ang1, p), push_one(body2, J.lin2, J.ang2, p);
+    }
+    void push_all(const RowSystem& system, const RowBlock& block, const Row& row, double p)
+    {
+        if (block.term_count == 0) return push_both(row, block.body1, block.body2, p);
+        for (const WideTerm& term : terms_of(system, block)) push_one(term.body, term.lin, term.ang, p);
+    }
+};
 
 Row row_of(const ManifoldFriction& f, int k)
 {
@@ -42,43 +100,46 @@ int own_rows(const RowSystem& system, const RowBlock& block)
 // bounded by an ellipse.
 class Wanted {
   public:
-    Wanted(const RowSystem& system, std::span<const SolverBody> bodies, std::span<const Real> lo,
-           std::span<const Real> hi)
-        : system_(system), bodies_(bodies), lo_(lo), hi_(hi)
+    Wanted(const RowSystem& system, const Motion& motion, std::span<const Real> lo, std::span<const Real> hi)
+        : system_(system), motion_(motion), lo_(lo), hi_(hi)
     {}
 
-    // d |p - clip(p - w/d)|, the largest over the rows of the block.
-    Real residual(const RowBlock& block) const
+    // |clip(w, d (p - hi), d (p - lo))|, the largest over the rows of the block.
+    double residual(const RowBlock& block) const
     {
         const int own = own_rows(system_, block);
         const bool cone = own > 1 && in_cone(block);
-        Real worst = 0;
+        double worst = 0;
         for (int i = 0; i < own; ++i) {
             if (cone && (i == 1 || i == 2)) continue;  // both at once, below
             const auto k = std::size_t(block.first + i);
-            const Real d = inverse_mass(block, k), p = system_.numbers[k].p;
+            const double d = inverse_mass(block, k), p = double(system_.numbers[k].p);
             if (!(d > 0)) continue;  // an empty row constrains nothing
-            const Real clipped = std::min(std::max(p - violation(block, k) / d, lo_[k]), hi_[k]);
-            worst = std::max(worst, d * std::fabs(p - clipped));
+            const double w = violation(block, k);
+            worst = std::max(
+                worst, std::fabs(std::min(std::max(w, d * (p - double(hi_[k]))), d * (p - double(lo_[k])))));
         }
         return cone ? std::max(worst, friction_residual(block)) : worst;
     }
 
     // The same for a manifold friction in the ball of its limit, with the largest d of its rows.
-    Real residual(const ManifoldFriction& f) const
+    double residual(const ManifoldFriction& f) const
     {
-        const SolverBody& one = bodies_[std::size_t(f.body1)];
-        Real d = 0, q[3], length2 = 0, worst = 0;
+        double d = 0, p[3], q[3], length2 = 0, worst = 0;
         for (int k = 0; k < 3; ++k)
-            d = std::max(d, inverse_effective_mass(row_of(f, k), one, second(bodies_, f)) + f.C);
+            d = std::max(d, double(inverse_effective_mass(row_of(f, k), *motion_.body(f.body1),
+                                                          motion_.body(f.body2)) +
+                                   f.C));
         if (!(d > 0)) return 0;
+        const double limit = double(f.limit);
         for (int k = 0; k < 3; ++k) {
-            const Real w = row_velocity(row_of(f, k), one, second(bodies_, f)) + f.C * f.p[k] - f.c[k];
-            q[k] = f.p[k] - w / d;
+            p[k] = double(f.p[k]);
+            const double w = motion_.along(f.rows[k], f.body1, f.body2) + double(f.C) * p[k] - double(f.c[k]);
+            q[k] = p[k] - w / d;
             length2 += q[k] * q[k];
         }
-        const Real scale = length2 > f.limit * f.limit ? f.limit / std::sqrt(length2) : 1;
-        for (int k = 0; k < 3; ++k) worst = std::max(worst, d * std::fabs(f.p[k] - scale * q[k]));
+        const double scale = length2 > limit * limit ? limit / std::sqrt(length2) : 1;
+        for (int k = 0; k < 3; ++k) worst = std::max(worst, d * std::fabs(p[k] - scale * q[k]));
         return worst;
     }
 
@@ -90,37 +151,50 @@ class Wanted {
         return has_cone(system_, block) && lo_[k] < hi_[k] && lo_[k + 1] < hi_[k + 1];
     }
 
-    Real inverse_mass(const RowBlock& block, std::size_t k) const
+    double inverse_mass(const RowBlock& block, std::size_t k) const
     {
-        return inverse_effective_mass(system_, block, system_.rows[k], bodies_) + system_.numbers[k].C;
+        return double(inverse_effective_mass(system_, block, system_.rows[k], motion_.bodies) +
+                      system_.numbers[k].C);
     }
 
-    Real violation(const RowBlock& block, std::size_t k) const
+    double violation(const RowBlock& block, std::size_t k) const
     {
         const RowNumbers& n = system_.numbers[k];
-        return row_velocity(system_, block, system_.rows[k], bodies_) + n.C * n.p - n.c;
+        return motion_.along(system_, block, system_.rows[k]) + double(n.C) * double(n.p) - double(n.c);
     }
 
-    Real friction_residual(const RowBlock& block) const
+    double friction_residual(const RowBlock& block) const
     {
         const auto k = std::size_t(block.first) + 1;
-        const Real d = std::max(inverse_mass(block, k), inverse_mass(block, k + 1));
+        const double d = std::max(inverse_mass(block, k), inverse_mass(block, k + 1));
         if (!(d > 0)) return 0;
-        Real p[2], q[2], length2 = 0;
+        double p[2], q[2], length2 = 0;
         for (std::size_t i = 0; i < 2; ++i) {
-            p[i] = system_.numbers[k + i].p;
+            p[i] = double(system_.numbers[k + i].p);
             q[i] = p[i] - violation(block, k + i) / d;
-            const Real share = hi_[k + i] > 0 ? q[i] / hi_[k + i] : kInf;
+            const double share = hi_[k + i] > 0 ? q[i] / double(hi_[k + i]) : double(kInf);
             length2 += q[i] == 0 ? 0 : share * share;
         }
-        const Real scale = length2 > 1 ? 1 / std::sqrt(length2) : 1;
+        const double scale = length2 > 1 ? 1 / std::sqrt(length2) : 1;
         return d * std::max(std::fabs(p[0] - scale * q[0]), std::fabs(p[1] - scale * q[1]));
     }
 
     const RowSystem& system_;
-    std::span<const SolverBody> bodies_;
+    const Motion& motion_;
     std::span<const Real> lo_, hi_;
 };
+
+double scale_of(const RowSystem& system, const Motion& motion)
+{
+    double scale = 0;
+    for (const RowBlock& block : system.blocks)
+        for (int i = block.first; i < block.first + block.count; ++i) {
+            const auto k = std::size_t(i);
+            const double c = double(system.numbers[k].c), now = motion.along(system, block, system.rows[k]);
+            scale = std::max({scale, std::fabs(c), std::fabs(c - now)});
+        }
+    return scale;
+}
 
 }  // namespace
 
@@ -150,30 +224,23 @@ Real natural_residual(const RowSystem& system, std::span<const SolverBody> v_sta
 {
     if (system.rows.empty()) return 0;
     Arena::Scope scope(arena);
-    auto bodies = arena.take<SolverBody>(int(v_star.size()));
-    if (bodies.empty()) return -1;
-    std::copy(v_star.begin(), v_star.end(), bodies.begin());
+    Motion motion{v_star, arena.take<Twist>(int(v_star.size()))};
+    if (motion.twists.empty()) return -1;
+    std::transform(v_star.begin(), v_star.end(), motion.twists.begin(), twist_of);
 
-    Real scale = 0;
+    const double scale = scale_of(system, motion);
     for (const ManifoldFriction& f : system.frictions)
-        for (int k = 0; k < 3; ++k)
-            apply_impulse(row_of(f, k), f.p[k], bodies[std::size_t(f.body1)], second(std::span(bodies), f));
-    for (const RowBlock& block : system.blocks) {
-        const int own = own_rows(system, block);
-        for (int i = block.first; i < block.first + block.count; ++i) {
-            const auto k = std::size_t(i);
-            const Real c = system.numbers[k].c, now = row_velocity(system, block, system.rows[k], v_star);
-            scale = std::max({scale, std::fabs(c), std::fabs(c - now)});
-            if (i < block.first + own)
-                apply_impulse(system, block, system.rows[k], system.numbers[k].p, bodies);
-        }
-    }
+        for (int k = 0; k < 3; ++k) motion.push_both(f.rows[k], f.body1, f.body2, double(f.p[k]));
+    for (const RowBlock& block : system.blocks)
+        for (int i = block.first; i < block.first + own_rows(system, block); ++i)
+            motion.push_all(system, block, system.rows[std::size_t(i)],
+                            double(system.numbers[std::size_t(i)].p));
 
-    const Wanted wanted(system, bodies, lo, hi);
-    Real worst = 0;
+    const Wanted wanted(system, motion, lo, hi);
+    double worst = 0;
     for (const RowBlock& block : system.blocks) worst = std::max(worst, wanted.residual(block));
     for (const ManifoldFriction& f : system.frictions) worst = std::max(worst, wanted.residual(f));
-    return worst / (scale > 0 ? scale : 1);
+    return Real(worst / (scale > 0 ? scale : 1));
 }
 
 }  // namespace epode

@@ -3,7 +3,7 @@
 //
 // The common measure of all solvers: the natural residual of the boxed complementarity problem,
 //
-//   r = max_i d_i |p_i - clip(p_i - w_i/d_i, lo_i, hi_i)| / scale,
+//   r = max_i d_i |p_i - clip(p_i - w_i/d_i, lo_i, hi_i)| / scale = max_i |clip(w_i, d_i (p_i - hi_i), d_i (p_i - lo_i))| / scale,
 //   w = J v + C p - c with v recomputed from p,  d_i = J_i M^-1 J_i^T + C_i,
 //   scale = max_i max(|c_i - J_i v*|, |c_i|), 1 if that is 0.
 //
