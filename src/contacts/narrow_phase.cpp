@@ -190,12 +190,47 @@ class PairUpdate {
         if (!draws_near() || !overlap(soon.box(pair_.body1, box1), soon.box(pair_.body2, box2))) return;
         const Pose soon1 = soon.pose(pair_.body1, pose1_), soon2 = soon.pose(pair_.body2, pose2_);
         if (can_be_separated() && find_separating_axis(soon1, soon2)) return;
+        if (are_balls()) return meet(soon1, soon2);
         collide_at(g1_, soon1, g2_, soon2, out);
         for (int i = 0; i < out.count; ++i) move_to_surface(*out.at(i), soon2);
         take(out, soon1, soon2, {}, Anchors::kOnSurfaces);
         if (rounds_on_what_stands(pair_))
             for (CachedManifold& part : parts_.first(pair_.count)) look_back(part, soon1, soon2);
         drop_passed();
+    }
+
+    bool are_balls() const
+    {
+        const auto is_ball = [](const Geom& g) { return g.type->number == dSphereClass; };
+        return is_ball(g1_) && is_ball(g2_) && moves(pair_.body1) && moves(pair_.body2);
+    }
+
+    // Of two balls that move the contact is that of the instant s in which they meet, |d + s way| = R: its normal, and arms along it, so
+    // that a blow without friction gives them no spin. Where the step would leave them, one deep in the other, is another direction.
+    void meet(const Pose& soon1, const Pose& soon2)
+    {
+        dContactGeom found;
+        ContactArray out{&found, int(sizeof found), 1, false};
+        const Vec3 d = pose1_.p - pose2_.p, way = soon1.p - soon2.p - d;
+        const Real r1 = solid_view(g1_, pose1_).radius, r2 = solid_view(g2_, pose2_).radius, R = r1 + r2;
+        const Real a = length2(way), b = dot(d, way), discriminant = b * b - a * (length2(d) - R * R);
+        if (!(b < 0) || !(discriminant >= 0)) return;
+        const Real s = (-b - std::sqrt(discriminant)) / a;
+        if (!(s <= 1)) return;
+        const Vec3 n = (1 / R) * (d + s * way);
+        store(found.normal, n), store(found.pos, pose1_.p + s * (soon1.p - pose1_.p) - r1 * n);
+        found.depth = 0, found.g1 = found.g2 = nullptr, found.side1 = found.side2 = -1;
+        out.count = 1;
+        take(out, at_instant(pose1_, soon1, s), at_instant(pose2_, soon2, s), {}, Anchors::kOnSurfaces);
+        ManifoldPoint& point = parts_[0].manifold.points[0];
+        point.r1 = narrow(pose1_.p - x1_ - r1 * n), point.r2 = narrow(pose2_.p - x2_ + r2 * n);
+        point.separation = float(layer() - s * dot(n, way));
+    }
+
+    // Nobody looks at how the balls are turned then.
+    static Pose at_instant(const Pose& now, const Pose& soon, Real s)
+    {
+        return {now.p + s * (soon.p - now.p), now.R};
     }
 
     // Is it worth while to look where the two will be?

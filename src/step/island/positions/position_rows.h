@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "joints/rod_length.h"
 #include "step/island/problem/assemble.h"
 
 namespace epode {
@@ -44,10 +45,12 @@ inline bool is_equality(const Row& row)
 
 inline bool turns_only(const Row& row) { return row.lin1 == Vec3{} && row.lin2 == Vec3{}; }
 
-// The longest lever arm of the block's rows, but not less than its bodies' radius of gyration.
+// The longest lever arm of the rows of a block of the step, or the rod's length, but not less than its bodies' radius of gyration.
 inline Real longest_arm(const IslandWork& work, const RowBlock& block)
 {
     Real longest = 0;
+    const auto at_joint = std::size_t(&block - work.system.blocks.data());
+    if (at_joint < work.joints.size()) longest = rod_length(*work.joints[at_joint]);
     for (int k = 0; k < 2; ++k) {
         const int at = k == 0 ? block.body1 : block.body2;
         if (at < 0 || work.island.bodies[std::size_t(at)]->kinematic()) continue;

@@ -44,6 +44,7 @@ namespace {
 constexpr Real kSpringShare = Real(1e-3);  // of the inverse_mass, above which softness is meant
 constexpr Real kLongTurn = Real(0.03);     // opening relative to the lever, about (w h)^2/2
 constexpr int kMaxHalvings = 5;
+constexpr Real kSofter = 1000, kSoftest = Real(2e-3);  // in steps from kSoftness on
 constexpr Real kClosed = Real(0.01);  // of the tolerance, a gap that is none
 
 // What a row of the projection needs besides its Row in the system.
@@ -208,8 +209,7 @@ class Projection {
     {
         Arena::Scope scope(arena_);
         load_bodies();
-        load_numbers();
-        if (!solve(tasks)) return false;
+        if (!solve_within_reach(tasks)) return false;
         const Real merit = merit_;
         Real share = largest_share(system_.bodies);
         if (!(share > 0)) return false;  // no pose has moved: 0 * NaN would move them
@@ -220,6 +220,32 @@ class Projection {
         }
         move(0);
         return false;
+    }
+
+    // Contacts that contradict each other, a crate between two rams, agree in the far distance where their normals differ by
+    // rounding: softer rows do not look so far (Levenberg and Marquardt), and leave the least squares.
+    bool solve_within_reach(const Tasks& tasks)
+    {
+        for (softness_ = kSoftness; softness_ <= kSoftest; softness_ *= kSofter) {
+            load_numbers();
+            if (!solve(tasks)) return false;
+            if (is_within_reach()) return true;
+            load_bodies();
+        }
+        return false;
+    }
+
+    // Contacts follow the motion to first order: no farther than half the lever.
+    bool is_within_reach() const
+    {
+        for (std::size_t k = 0; k < system_.blocks.size(); ++k) {
+            const RowBlock& block = system_.blocks[k];
+            if (!block.contact) continue;
+            const Real arm = longest_arm(work_, work_.system.blocks[std::size_t(from_[k])]);
+            for (const int at : {block.body1, block.body2})
+                if (at >= 0 && length(system_.bodies[std::size_t(at)].v) > arm / 2) return false;
+        }
+        return true;
     }
 
     bool solve(const Tasks& tasks)
@@ -260,7 +286,7 @@ class Projection {
                 n.c = hold.error;
                 n.C = hold.inertia > 0
                           ? 1 / hold.inertia
-                          : Real(kSoftness) * inverse_effective_mass(system_, block, row, system_.bodies);
+                          : softness_ * inverse_effective_mass(system_, block, row, system_.bodies);
                 if (bounds.lo == 0) n.lo = 0;
                 if (bounds.hi == 0) n.hi = 0;
             }
@@ -312,6 +338,7 @@ class Projection {
     std::span<int> from_;             // block of the step that a block is of
     std::span<PoseBefore> poses_;
     bool one_sided_ = false;
+    Real softness_ = kSoftness;   // of the inverse effective mass
     Real worst_ = 0, merit_ = 0;  // largest e/l, sum of its squares
 };
 
