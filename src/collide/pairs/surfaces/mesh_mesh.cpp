@@ -30,10 +30,13 @@ Real reach_of(const Aabb& box) { return max_component(max(abs(box.lo), abs(box.h
 constexpr Real kOtherWay = Real(0.99);  // cosine between normals of different contacts
 constexpr Real kCovers = Real(1.05);
 
-// Are two triangles the same or neighbours?
-bool adjoin(const TriangleMesh& mesh, int t, int u)
+// Do two triangles have a corner in common?
+bool adjoin(const Vec3 (&t)[3], const Vec3 (&u)[3])
 {
-    return t == u || mesh.neighbour(t, 0) == u || mesh.neighbour(t, 1) == u || mesh.neighbour(t, 2) == u;
+    for (const Vec3 v : t)
+        for (const Vec3 w : u)
+            if (v == w) return true;
+    return false;
 }
 
 // The contacts of pairs of triangles: an unbounded list that rarely needs memory.
@@ -74,17 +77,19 @@ class TriangleContactList {
 
 // Under which numbers contacts are found in a table: put under all, asked for by one of the first `asked`.
 struct Keys {
-    std::uint64_t key[4];
-    int count, asked;
+    std::uint64_t key[3];
 };
 
-// A triangle and its neighbours, which ask for it by their own number.
-Keys keys_of(const TriangleMesh& mesh, int t)
+// Of a corner; of two that are equal, 0 and -0 included, the same.
+std::uint64_t number_of(Vec3 v)
 {
-    Keys keys{{std::uint64_t(t)}, 1, 1};
-    for (int k = 0; k < 3; ++k)
-        if (const int u = mesh.neighbour(t, k); u >= 0) keys.key[keys.count++] = std::uint64_t(u);
-    return keys;
+    const auto bits = [](Real x) { return std::bit_cast<std::uint64_t>(double(x) + 0.0); };
+    return hash_of(hash_of(bits(v.x), bits(v.y)), bits(v.z));
+}
+
+Keys keys_of(const Vec3 (&corners)[3])
+{
+    return {{number_of(corners[0]), number_of(corners[1]), number_of(corners[2])}};
 }
 
 // Where two solids meet edge to edge, pairs of adjacent triangles cross, too, with larger overlaps only. A
@@ -93,8 +98,8 @@ template <typename Other>
 class Shallower {
   public:
     // `contacts`: the shallowest first.
-    Shallower(const TriangleContact* contacts, int count, const Surface& a, const Other& b)
-        : contacts_(contacts), a_(a), b_(b), by_table_(count > kFew && table_.reserve(kKeys * count))
+    Shallower(const TriangleContact* contacts, int count, const Other& b)
+        : contacts_(contacts), b_(b), by_table_(count > kFew && table_.reserve(kKeys * count))
     {}
     // Those before it have been added.
     bool is_separated_by_any(int i)
@@ -106,43 +111,43 @@ class Shallower {
                 if (separates(k)) return true;
             return false;
         }
-        const Keys keys = b_.keys(contact);
-        for (int k = 0; k < keys.asked; ++k)
-            if (table_.any(std::uint64_t(contact.a), keys.key[k], separates)) return true;
+        const Keys of_a = keys_of(contact.corners_a), of_b = b_.keys(contact);
+        for (const std::uint64_t x : of_a.key)
+            for (const std::uint64_t y : of_b.key)
+                if (table_.any(x, y, separates)) return true;
         return false;
     }
     void add(int i)
     {
         if (!by_table_ || !contacts_[i].allowed) return;
-        const Keys of_a = keys_of(a_.mesh, contacts_[i].a), of_b = b_.keys(contacts_[i]);
-        for (int x = 0; x < of_a.count; ++x)
-            for (int y = 0; y < of_b.count; ++y) table_.put(of_a.key[x], of_b.key[y], i);
+        const Keys of_a = keys_of(contacts_[i].corners_a), of_b = b_.keys(contacts_[i]);
+        for (const std::uint64_t x : of_a.key)
+            for (const std::uint64_t y : of_b.key) table_.put(x, y, i);
     }
 
   private:
-    static constexpr int kFew = 256, kKeys = 16;  // a table is slower for so few
+    static constexpr int kFew = 256, kKeys = 9;  // a table is slower for so few
 
     bool separates(const TriangleContact& s, const TriangleContact& contact) const
     {
-        return s.allowed && dot(s.normal, contact.normal) < kOtherWay && adjoin(a_.mesh, s.a, contact.a) &&
+        return s.allowed && dot(s.normal, contact.normal) < kOtherWay && adjoin(s.corners_a, contact.corners_a) &&
                b_.adjoin(s, contact) && contact.overlap_along(s.normal) <= kCovers * s.depth;
     }
 
     const TriangleContact* contacts_;
-    const Surface& a_;
     const Other& b_;
     CrossingTable table_;
     bool by_table_;
 };
 
 template <typename Other>
-void collect(TriangleContactList& contacts, const Surface& a, const Other& b, ContactCollector& collector)
+void collect(TriangleContactList& contacts, const Other& b, ContactCollector& collector)
 {
     std::sort(contacts.begin(), contacts.end(), [](const TriangleContact& x, const TriangleContact& y) {
         if (x.depth != y.depth) return x.depth < y.depth;
         return x.a != y.a ? x.a < y.a : x.b < y.b;
     });
-    Shallower<Other> shallower(contacts.begin(), contacts.count(), a, b);
+    Shallower<Other> shallower(contacts.begin(), contacts.count(), b);
     for (int i = 0; i < contacts.count(); ++i) {
         const TriangleContact& p = contacts.begin()[i];
         if (p.allowed && !shallower.is_separated_by_any(i))
@@ -162,9 +167,9 @@ class MeshSide {
     Aabb box() const { return s_.tree.box(); }
     bool adjoin(const TriangleContact& p, const TriangleContact& q) const
     {
-        return epode::adjoin(s_.mesh, p.b, q.b);
+        return epode::adjoin(p.corners_b, q.corners_b);
     }
-    Keys keys(const TriangleContact& p) const { return keys_of(s_.mesh, p.b); }
+    Keys keys(const TriangleContact& p) const { return keys_of(p.corners_b); }
     // visit(facet) for all whose boxes meet the box, until it says false.
     template <typename Visit>
     void each(const Aabb& box, const Visit& visit)
@@ -202,7 +207,7 @@ void meet(const Surface& a, const Pose& P, Other& b, ContactSink& sink)
         return true;
     });
     ContactCollector collector(Real(1e-6) * length(whole.hi - whole.lo), sink);
-    collect(contacts, a, b, collector);
+    collect(contacts, b, collector);
     collector.deliver(sink);
 }
 
@@ -264,7 +269,7 @@ class TerrainSide {
     // The edges, by their ends in any order.
     Keys keys(const TriangleContact& p) const
     {
-        Keys keys{{}, 3, 3};
+        Keys keys{};
         for (int k = 0; k < 3; ++k)
             keys.key[k] = number_of(p.corners_b[k]) + number_of(p.corners_b[(k + 1) % 3]);
         return keys;
@@ -354,13 +359,6 @@ class TerrainSide {
             }
         }
         return true;
-    }
-
-    // Of a corner; of two that are equal, 0 and -0 included, the same.
-    static std::uint64_t number_of(Vec3 v)
-    {
-        const auto bits = [](Real x) { return std::bit_cast<std::uint64_t>(double(x) + 0.0); };
-        return hash_of(hash_of(bits(v.x), bits(v.y)), bits(v.z));
     }
 
     const Terrain& terrain_;

@@ -37,16 +37,20 @@ Span span_of(const Triangle& t, const Real (&at)[3], Vec3 line)
     return s;
 }
 
-// Heights of the corners of t over the plane of `over`, raised by `touch`; false when all lie to one side.
+// Heights of the corners of t over the plane of `over`, raised by `touch`, or lowered where t lies behind the plane and touches it from
+// there: the foot of a box that stands on another, with its sides flush. False when all lie to one side.
 bool heights(const Triangle& t, const Triangle& over, Real touch, Real (&at)[3])
 {
-    bool above = true, below = true;
+    bool above = true, below = true, behind = true;
     for (int k = 0; k < 3; ++k) {
         at[k] = over.height(t.v[k]) - touch;
         above = above && at[k] > 0;
         below = below && at[k] < 0;
+        behind = behind && at[k] < -2 * touch;
     }
-    return !above && !below;
+    if (below && !behind)
+        for (Real& height : at) height += 2 * touch;
+    return !above && !behind;
 }
 
 class Crossing {
