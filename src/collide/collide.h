@@ -42,7 +42,7 @@ void collide(Geom& a, Geom& b, ContactArray& out);
 void collide_at(Geom& a, const Pose& A, Geom& b, const Pose& B, ContactArray& out);
 
 // Whether the program has replaced our function by one of its own or by none.
-bool overridden(const Geom& a, const Geom& b);
+bool overridden(Geom& a, Geom& b);
 
 // Whether the program has replaced any of our functions for rays. The program then decides what a ray means.
 bool rays_overridden();

@@ -370,6 +370,94 @@ TEST_F(Callbacks, collider_function_keeps_the_geoms)
     expect_refused(0);
 }
 
+int offered_for = -1;  // the last class that a collider was chosen for
+dColliderFn* choose_collider(int other)
+{
+    offered_for = other;
+    act();
+    return collide_user;
+}
+
+void silent_box(dGeomID, dReal box[6])
+{
+    for (int i = 0; i < 6; ++i) box[i] = i % 2 ? dReal(1) : dReal(-1);
+}
+
+// A class is asked once for each other class; each test here needs one that was not.
+TEST_F(Callbacks, collider_chooser_keeps_the_geoms)
+{
+    const dGeomClass description = {8, choose_collider, silent_box, nullptr, nullptr};
+    const dGeomID user = dCreateGeom(dCreateGeomClass(&description)),
+                  transform = dCreateGeomTransform(nullptr);
+    const dGeomID box = dCreateBox(nullptr, 1, 1, 1), capsule = dCreateCapsule(nullptr, 1, 1);
+    dGeomTransformSetGeom(transform, capsule);
+    dGeomTransformSetCleanup(transform, 1);
+    dContactGeom contact;
+    const auto refuse = [&](dGeomID first, dGeomID second) {
+        g_act = [=, this] {
+            dGeomDestroy(first), dGeomDestroy(second);
+            expect_refused(2);
+        };
+    };
+    refuse(user, lone);
+    EXPECT_EQ(dCollide(user, lone, 1, &contact, sizeof contact), 0);
+    EXPECT_EQ(offered_for, dSphereClass);
+    refuse(user, box);
+    EXPECT_EQ(dCollide(box, user, 1, &contact, sizeof contact), 0);
+    EXPECT_EQ(offered_for, dBoxClass);
+    g_act = [&] {
+        dGeomDestroy(transform);
+        dGeomTransformSetGeom(transform, nullptr);
+        expect_refused(2);
+    };
+    dCollide(transform, user, 1, &contact, sizeof contact);
+    EXPECT_FALSE(g_act) << "the chooser came";
+    expect_refused(0);
+    for (const dGeomID geom : {user, transform, box}) dGeomDestroy(geom);
+    expect_refused(0);
+}
+
+TEST_F(Callbacks, collider_chooser_keeps_what_is_sought_and_what_is_stepped)
+{
+    const dGeomClass description = {8, choose_collider, silent_box, nullptr, nullptr};
+    for (const bool step : {false, true}) {
+        const dGeomID user = dCreateGeom(dCreateGeomClass(&description));
+        if (step) {
+            dSpaceAdd(space, user);
+            dGeomSetContinuous(sphere[0], 1);
+            dBodySetLinearVel(body, 100, 0, 0);
+            dWorldSetContactSpace(world, space);
+        }
+        g_act = [=, this] {
+            dGeomDestroy(user), dGeomDestroy(sphere[0]);
+            expect_refused(2);
+        };
+        dGeomID found[4];
+        step ? dWorldStepFast1(world, dReal(0.01), 4) : dSpaceOverlap(space, user, nullptr, found, 4);
+        EXPECT_FALSE(g_act) << "the chooser came";
+        dGeomDestroy(user);
+        expect_refused(0);
+    }
+}
+
+void readiness(void*) { act(); }
+
+TEST_F(Callbacks, readiness_function_keeps_the_threads_it_is_of)
+{
+    const dThreadingImplementationID impl = dThreadingAllocateMultiThreadedImplementation();
+    g_act = [=, this] {
+        dThreadingFreeImplementation(impl);
+        expect_refused(1);
+        dWorldStep(world, dReal(0.01));
+        dThreadingImplementationShutdownProcessing(impl);
+        expect_refused(0);
+    };
+    dExternalThreadingServeMultiThreadedImplementation(impl, readiness, nullptr);
+    EXPECT_FALSE(g_act) << "the function came";
+    dThreadingFreeImplementation(impl);
+    expect_refused(0);
+}
+
 TEST_F(Callbacks, height_function_keeps_geoms_and_heights)
 {
     const dHeightfieldDataID data = dGeomHeightfieldDataCreate();

@@ -224,13 +224,9 @@ dColliderFn* offer(int i, int j)
     return description->collider(j);
 }
 
-// The collider of the two classes. A user class is queried once, and its answer is kept, also "none". Of two
-// user classes the one registered first is queried first, so the answer does not depend on the first call.
-Collider collider_of(int i, int j)
+// Of two user classes the one registered first is asked first, so the answer does not depend on the first call.
+Collider chosen(int first, int second)
 {
-    const Collider known = table().entries[i][j].get();
-    if (known.settled) return known;
-    const int first = std::min(i, j), second = std::max(i, j);
     Collider found;
     if (dColliderFn* direct = offer(first, second)) {
         found.user = direct;
@@ -238,8 +234,7 @@ Collider collider_of(int i, int j)
         found.user = turned;
         found.reversed = true;
     }
-    table().set_both(first, second, found);
-    return table().entries[i][j].get();
+    return found;
 }
 
 // A geom, the pose at which it is collided, and the geom that its contacts must name.
@@ -318,6 +313,21 @@ void while_held(Call&& call, const Placed& a, const Placed& b)
     call();
 }
 
+// The collider of the two. A user class is asked once, and its answer is kept, also "none"; what it asks for that finds the two as a
+// collider does. Not kept is what a forgotten class would offer to the next one of its number.
+Collider collider_of(const Placed& a, const Placed& b)
+{
+    const int i = a.geom->type->number, j = b.geom->type->number;
+    const auto forgotten = [&] { return is_forgotten(*a.geom) || is_forgotten(*b.geom); };
+    const Collider known = table().entries[i][j].get();
+    if (known.settled || forgotten()) return known;
+    Collider found;
+    while_held([&] { found = chosen(std::min(i, j), std::max(i, j)); }, a, b);
+    if (forgotten()) return {};  // since then: the program has closed the library
+    table().set_both(std::min(i, j), std::max(i, j), found);
+    return table().entries[i][j].get();
+}
+
 int call_user(dColliderFn* function, const Placed& a, const Placed& b, const ContactArray& out)
 {
     const int capacity = out.capacity - out.count;
@@ -344,9 +354,8 @@ bool has_callbacks(Geom& geom)
 void collide_placed(const Placed& a, const Placed& b, ContactArray& out)
 {
     if (out.full()) return;
-    // Asked first: what a forgotten class offers must not be remembered for the next one of its number.
     if (is_forgotten(*a.geom) || is_forgotten(*b.geom)) return;
-    const Collider collider = collider_of(a.geom->type->number, b.geom->type->number);
+    const Collider collider = collider_of(a, b);
     if (collider.disabled) return;
     if (!collider.pair && !collider.user) {
         // Transforms have no entry unless the program has overridden them.
@@ -405,16 +414,16 @@ void collide_candidates(void* data, dGeomID o1, dGeomID o2)
 
 }  // namespace
 
-bool overridden(const Geom& a, const Geom& b)
+bool overridden(Geom& a, Geom& b)
 {
-    const Collider collider = collider_of(a.type->number, b.type->number);
+    const Collider collider = collider_of(in_place(a), in_place(b));
     return collider.user || collider.disabled;
 }
 
 PairFunction own_pair(int first, int second)
 {
     if (is_user_class(first) || is_user_class(second)) return nullptr;
-    const Collider collider = collider_of(first, second);
+    const Collider collider = table().entries[first][second].get();
     return collider.user || collider.disabled || collider.reversed ? nullptr : collider.pair;
 }
 
@@ -441,13 +450,14 @@ bool may_call_program(Geom& geom)
 bool may_call_program(Geom& a, Geom& b)
 {
     return may_call_program(a) || may_call_program(b) ||
-           (any_overridden() && collider_of(a.type->number, b.type->number).user);
+           (any_overridden() && table().entries[a.type->number][b.type->number].get().user);
 }
 
 bool program_collides(Geom& a, Geom& b)
 {
     const auto opens = [](Geom& geom) { return is_user_class(geom.type->number) || as_transform(geom); };
-    return opens(a) || opens(b) || (any_overridden() && collider_of(a.type->number, b.type->number).user);
+    return opens(a) || opens(b) ||
+           (any_overridden() && table().entries[a.type->number][b.type->number].get().user);
 }
 
 std::uint32_t changes_of(const Geom& geom)

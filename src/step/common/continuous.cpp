@@ -234,7 +234,7 @@ Mover Continuous::mover(Geom& geom, int body) const
 }
 
 // Has what does not depend on their motion nothing against it?
-bool Continuous::stops(const Geom& a, const Geom& b) const
+bool Continuous::stops(Geom& a, Geom& b) const
 {
     if (&a == &b || of_one_body(a, b) || a.sensor || b.sensor || b.continuous == dContinuousIgnored)
         return false;

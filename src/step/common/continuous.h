@@ -74,7 +74,7 @@ class Continuous {
     Aabb way_of(Geom& geom, const State* state) const;
     int index_of(const Geom& geom) const;
     Mover mover(Geom& geom, int body) const;
-    bool stops(const Geom& a, const Geom& b) const;
+    bool stops(Geom& a, Geom& b) const;
     bool rule_for(const Mover& a, const Mover& b, const Body& body, const Body* other,
                   ImpactRule& rule) const;
     bool meet_while_held();
