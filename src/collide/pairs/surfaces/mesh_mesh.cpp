@@ -130,8 +130,9 @@ class Shallower {
 
     bool separates(const TriangleContact& s, const TriangleContact& contact) const
     {
-        return s.allowed && dot(s.normal, contact.normal) < kOtherWay && adjoin(s.corners_a, contact.corners_a) &&
-               b_.adjoin(s, contact) && contact.overlap_along(s.normal) <= kCovers * s.depth;
+        return s.allowed && dot(s.normal, contact.normal) < kOtherWay &&
+               adjoin(s.corners_a, contact.corners_a) && b_.adjoin(s, contact) &&
+               contact.overlap_along(s.normal) <= kCovers * s.depth;
     }
 
     const TriangleContact* contacts_;

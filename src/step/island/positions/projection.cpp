@@ -43,9 +43,10 @@ namespace {
 
 constexpr Real kSpringShare = Real(1e-3);  // of the inverse_mass, above which softness is meant
 constexpr Real kLongTurn = Real(0.03);     // opening relative to the lever, about (w h)^2/2
+constexpr Real kReach = Real(0.05);        // of the lever, how far rows of contacts hold as they are
 constexpr int kMaxHalvings = 5;
 constexpr Real kSofter = 1000, kSoftest = Real(2e-3);  // in steps from kSoftness on
-constexpr Real kClosed = Real(0.01);  // of the tolerance, a gap that is none
+constexpr Real kClosed = Real(0.01);                   // of the tolerance, a gap that is none
 
 // What a row of the projection needs besides its Row in the system.
 struct Hold {
@@ -235,7 +236,7 @@ class Projection {
         return false;
     }
 
-    // Contacts follow the motion to first order: no farther than half the lever.
+    // Contacts follow the motion to first order: no farther than a share of the lever.
     bool is_within_reach() const
     {
         for (std::size_t k = 0; k < system_.blocks.size(); ++k) {
@@ -243,7 +244,7 @@ class Projection {
             if (!block.contact) continue;
             const Real arm = longest_arm(work_, work_.system.blocks[std::size_t(from_[k])]);
             for (const int at : {block.body1, block.body2})
-                if (at >= 0 && length(system_.bodies[std::size_t(at)].v) > arm / 2) return false;
+                if (at >= 0 && length(system_.bodies[std::size_t(at)].v) > kReach * arm) return false;
         }
         return true;
     }
