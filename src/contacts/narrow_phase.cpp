@@ -190,7 +190,7 @@ class PairUpdate {
         if (!draws_near() || !overlap(soon.box(pair_.body1, box1), soon.box(pair_.body2, box2))) return;
         const Pose soon1 = soon.pose(pair_.body1, pose1_), soon2 = soon.pose(pair_.body2, pose2_);
         if (can_be_separated() && find_separating_axis(soon1, soon2)) return;
-        if (are_balls()) return meet(soon1, soon2);
+        if (are_loose_balls()) return meet(soon1, soon2);
         collide_at(g1_, soon1, g2_, soon2, out);
         for (int i = 0; i < out.count; ++i) move_to_surface(*out.at(i), soon2);
         take(out, soon1, soon2, {}, Anchors::kOnSurfaces);
@@ -199,10 +199,12 @@ class PairUpdate {
         drop_passed();
     }
 
-    bool are_balls() const
+    // Balls on joints keep arms to one point: joints balance the blow where the bodies are as the step begins.
+    bool are_loose_balls() const
     {
         const auto is_ball = [](const Geom& g) { return g.type->number == dSphereClass; };
-        return is_ball(g1_) && is_ball(g2_) && moves(pair_.body1) && moves(pair_.body2);
+        const auto is_loose = [](const Body* b) { return moves(b) && !b->lasting; };
+        return is_ball(g1_) && is_ball(g2_) && is_loose(pair_.body1) && is_loose(pair_.body2);
     }
 
     // Of two balls that move the contact is that of the instant s in which they meet, |d + s way| = R: its normal, and arms along it, so
