@@ -26,6 +26,7 @@ MAY_INCLUDE = {
     "step": {"base", "math", "simd", "tasks", "rows", "geometry", "bvh", "dynamics", "joints", "solve", "collide",
              "query", "contacts"},
 }
+MAY_INCLUDE["characters"] = MAY_INCLUDE["query"] | {"query", "dynamics", "rows", "step"}
 MAY_INCLUDE["state"] = MAY_INCLUDE["step"] | {"step"}
 MAY_INCLUDE["diagnose"] = MAY_INCLUDE["step"] | {"step"}
 MAY_INCLUDE["api"] = MAY_INCLUDE["state"] | {"state", "diagnose"}

@@ -8,6 +8,7 @@
 #ifndef _ODE_EXT_H_
 #define _ODE_EXT_H_
 
+#include <ode/character.h>
 #include <ode/contacts.h>
 #include <ode/couplings.h>
 #include <ode/defaults.h>

@@ -4,6 +4,7 @@
 // See describe.h.
 #include "collide/describe.h"
 
+#include "collide/character.h"
 #include "collide/collide.h"
 
 namespace epode {
@@ -23,7 +24,10 @@ std::uint64_t shape_hash(Geom& geom)
     ContentHash hash;
     hash.add(std::uint64_t(geom.type->number));
     DifWriter out(hash);
-    if (geom.type->describe) geom.type->describe(geom, out);
+    if (geom.character)
+        add_shape_of_character(geom, hash);
+    else if (geom.type->describe)
+        geom.type->describe(geom, out);
     if (geom.type->fingerprint) geom.type->fingerprint(geom, hash);
     geom.hashed_changes = changes;
     return geom.shape_hash = hash.value();

@@ -10,6 +10,7 @@
 
 #include "base/memory.h"
 #include "base/objects/structure_edition.h"
+#include "collide/character.h"
 #include "collide/geom_leaves.h"
 #include "collide/space.h"
 #include "collide/transform.h"
@@ -217,6 +218,7 @@ void destroy_geom(Geom& geom)
     if (geom.space) remove_geom(*geom.space, geom);
     unlink_body(geom);
     drop_material(geom);
+    drop_character(geom);
     drop_leaves(geom);
     geom.type->destroy(&geom);
 }

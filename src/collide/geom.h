@@ -26,6 +26,7 @@ namespace epode {
 class ContentHash;
 class DifWriter;
 class ShapeStream;
+struct Character;
 struct Geom;
 struct GeomLeaves;
 struct SolidType;
@@ -104,6 +105,7 @@ struct Geom : Numbered {
     Geom* body_prev = nullptr;
     std::atomic<int> users{0};                 // calls into the program in progress that rely on this geom
     std::atomic<GeomLeaves*> leaves{nullptr};  // of the mesh met last, see geom_leaves.h
+    Character* character = nullptr;            // what makes it one (collide/character.h); null: it is none
     void* recorder = nullptr;                  // the history that has it last recorded (state/history.h)
     std::uint64_t disturbed = 0;               // the last disturbance that it had, see note_disturbed()
     std::uint64_t shape_hash = 0;              // see describe.h

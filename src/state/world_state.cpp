@@ -7,6 +7,7 @@
 
 #include "base/objects/structure_edition.h"
 #include "base/random.h"
+#include "collide/character.h"
 #include "dynamics/active.h"
 #include "dynamics/body_state.h"
 #include "dynamics/joint_state.h"
@@ -16,7 +17,8 @@ namespace epode {
 namespace {
 
 constexpr int kAhead = 4;
-constexpr std::uint32_t kSeeded = 1;  // of the flags: the seed of dRand follows
+constexpr std::uint32_t kSeeded = 1;      // of the flags: the seed of dRand follows
+constexpr std::uint32_t kCharacters = 2;  // geoms are characters
 
 enum GeomBit : std::uint8_t {
     kEnabled = 1,
@@ -118,12 +120,18 @@ bool WorldState::append(StateBytes& out, Seal with)
     return true;
 }
 
+bool WorldState::has_characters() const
+{
+    const std::span<Geom* const> all = geoms_.all();
+    return std::any_of(all.begin(), all.end(), [](const Geom* geom) { return geom->character != nullptr; });
+}
+
 bool WorldState::save(StateStream& stream)
 {
     const bool seeded = world_.acts_as_ode();
     const Counts counts{structure_.hash(), std::uint32_t(structure_.bodies()),
                         std::uint32_t(structure_.joints()), std::uint32_t(structure_.geoms()),
-                        seeded ? kSeeded : 0};
+                        (seeded ? kSeeded : 0) | (has_characters() ? kCharacters : 0)};
     const auto put = [&](const void* from, std::size_t size) {
         if (std::byte* to = stream.block(size); to && size > 0) std::memcpy(to, from, size);
     };
@@ -216,6 +224,17 @@ void WorldState::load_joints(StateStream& stream, const std::byte* bits)
         state(*joints_.data()[i], std::uint8_t(bits[i]), stream);
 }
 
+// Its ground by number, if that is in the state.
+void WorldState::visit_character(Geom& geom, StateStream& stream)
+{
+    const Geom* ground = stream.saves() ? from_handle<Geom>(geom.character->ground) : nullptr;
+    const int known = ground ? geoms_.find(*ground) : -1;
+    const std::uint32_t number = stream.index(std::uint32_t(known + 1), std::uint32_t(geoms_.count()) + 1,
+                                              "the ground of a character is not there");
+    state_of_character(geom, stream);
+    if (stream.stores()) geom.character->ground = number > 0 ? to_handle(&geoms_[int(number) - 1]) : nullptr;
+}
+
 void WorldState::visit_geom(Geom& geom, std::uint8_t bits, StateStream& stream)
 {
     const bool posed = bits & kPose;
@@ -225,6 +244,7 @@ void WorldState::visit_geom(Geom& geom, std::uint8_t bits, StateStream& stream)
         geom.enabled = enabled;
         note_rules_changed(geom);
     }
+    if (geom.character) visit_character(geom, stream);
     if (!posed) return;
     Real pose[12];
     std::memcpy(pose, geom.own_position, 3 * sizeof(Real));
@@ -263,7 +283,7 @@ const char* WorldState::check(const std::byte* from, std::size_t size, Seal with
             return text_;
         }
     if (length < begin_of_parts()) return "the state ends too early";
-    if (counts.flags & ~kSeeded) return "the state has parts that this library does not know";
+    if (counts.flags & ~(kSeeded | kCharacters)) return "the state has parts that this library does not know";
     if (counts.hash == structure_.hash()) return nullptr;
     return structure_.difference(reinterpret_cast<const std::uint8_t*>(from + sizeof header + sizeof counts),
                                  text_, sizeof text_);

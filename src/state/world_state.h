@@ -7,7 +7,7 @@
 //   count of steps                    seeds random orders
 //   seed of dRand                     in a world with the behaviour of ODE 0.16, whose dWorldQuickStep draws
 //   bodies, joints                    dynamics/body_state, dynamics/joint_state
-//   geoms of the contact space        enabled; poses of those without a body
+//   geoms of the contact space        enabled; poses of those without a body; characters (collide/character.h)
 //   impulses of contact joints        step/common/contact_cache_state
 //   world-managed contacts            contacts/state/contact_state
 // Everything that step/common/undo restores must be here; symbolic factors and working memory are caches.
@@ -67,6 +67,8 @@ class WorldState {
     void load_bodies(StateStream& stream, const std::byte* bits);
     void load_joints(StateStream& stream, const std::byte* bits);
     void visit_geom(Geom& geom, std::uint8_t bits, StateStream& stream);
+    bool has_characters() const;
+    void visit_character(Geom& geom, StateStream& stream);
     std::size_t begin_of_parts() const;
 
     World& world_;

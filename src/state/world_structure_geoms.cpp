@@ -3,6 +3,7 @@
 //
 // Geoms and spaces in the structure of a world.
 #include "base/check.h"
+#include "collide/character.h"
 #include "collide/types/registry.h"
 #include "state/object_structure.h"
 #include "state/world_structure.h"
@@ -86,6 +87,7 @@ void WorldStructure::save_geom(Geom& geom)
     stream_.number(number), stream_.geom(parent);
     structure_of_geom(geom, stream_);
     geom.type->structure(geom, stream_);
+    structure_of_character(geom, stream_);
 }
 
 bool WorldStructure::load_geom()
@@ -104,6 +106,7 @@ bool WorldStructure::load_geom()
     }
     structure_of_geom(*geom, stream_);
     if (!stream_.failed()) type->structure(*geom, stream_);
+    if (!stream_.failed() && !stream_.is_older_than(4)) structure_of_character(*geom, stream_);
     return !stream_.failed() && (!parent || put_into(*parent, *geom));
 }
 

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "characters/surroundings.h"
+
+#include "base/float_environment.h"
+#include "collide/collide.h"
+#include "collide/solid_type.h"
+#include "query/candidates.h"
+
+namespace epode {
+namespace {
+
+constexpr int kAdvances = 50;
+constexpr Real kLevel = kSingle ? Real(1e-5) : Real(1e-9);  // slope below which a path does not approach
+constexpr Real kProbe = Real(0.5);  // of the skin: how far beyond an edge its faces are looked for
+
+bool is_met(const Geom& self, const Geom& other)
+{
+    return &other != &self && !other.sensor && !is_space(other) && other.type->number != dRayClass;
+}
+
+Aabb in_frame_of(const Pose& pose, const Aabb& box)
+{
+    const Vec3 half = Real(0.5) * (box.hi - box.lo), centre = pose.to_local(box.lo + half);
+    const Mat3 back = transpose(pose.R);
+    const Vec3 reach = {dot(abs(back.row0), half), dot(abs(back.row1), half), dot(abs(back.row2), half)};
+    return {centre - reach, centre + reach};
+}
+
+Triangle placed(const Triangle& t, const Pose& pose)
+{
+    Triangle out;
+    for (int k = 0; k < 3; ++k) out.v[k] = pose.to_world(t.v[k]);
+    out.n = pose.R * t.n;
+    out.c = dot(out.n, out.v[0]);
+    return out;
+}
+
+bool asks(const dCharacterSettings& s, Geom& self, Geom& other, Vec3 velocity)
+{
+    if (!s.filter) return true;
+    dVector3 v = {};
+    store(v, velocity);
+    const CallerFloatEnvironment program;
+    return s.filter(s.data, to_handle(&self), to_handle(&other), v) != 0;
+}
+
+}  // namespace
+
+bool Surroundings::collect(Space& space, const Aabb& region)
+{
+    const Aabb& box = box_of(self_);
+    half_ = Real(0.5) * (box.hi - box.lo);
+    view_ = solid_view(self_, pose_of(self_));
+    const dCharacterSettings settings = self_.character->settings;
+    const QueryFilter bits{self_.category, self_.collide};
+    if (!collect_near(space, bits, region, near_)) return false;
+    const GeomHold hold(self_, settings.filter != nullptr);
+    const CandidateLock lock(settings.filter ? &space : nullptr, near_);
+    for (Geom* geom : near_)
+        if (is_met(self_, *geom) && asks(settings, self_, *geom, velocity_) && !add(*geom, region)) return false;
+    return true;
+}
+
+bool Surroundings::add(Geom& geom, const Aabb& region)
+{
+    const QueryShape shape = query_shape_of(geom);
+    switch (kind_of(shape)) {
+        case QueryKind::kNone:
+            return true;
+        case QueryKind::kPlane:
+            return obstacles_.push({&geom, -1, planes_.size(), Obstacle::kPlane, region}) &&
+                   planes_.push(shape.as<Plane>());
+        case QueryKind::kSolid:
+            return obstacles_.push({&geom, -1, solids_.size(), Obstacle::kSolid, box_of(geom)}) &&
+                   solids_.push(solid_view(*shape.geom, shape.pose));
+        default:
+            return add_triangles(geom, shape, region);
+    }
+}
+
+bool Surroundings::add_triangles(Geom& geom, const QueryShape& shape, const Aabb& region)
+{
+    const bool mesh = kind_of(shape) == QueryKind::kMesh;
+    Effort effort(mesh_triangles(shape));
+    bool complete = true;
+    triangles_of(shape).query(in_frame_of(shape.pose, region), effort, [&](const Triangle& t, int side) {
+        const Triangle world = placed(t, shape.pose);
+        const Aabb box = box_around(world);
+        if (!complete || !overlap(box, region)) return;
+        complete = obstacles_.push({&geom, mesh ? side : -1, triangles_.size(), Obstacle::kTriangle, box}) &&
+                   triangles_.push(world);
+    });
+    return complete;
+}
+
+ConvexView Surroundings::view_at(Vec3 centre) const
+{
+    ConvexView view = view_;
+    view.pose.p = centre;
+    return view;
+}
+
+Aabb Surroundings::box_at(Vec3 centre, Real grown_by) const
+{
+    const Vec3 reach = half_ + Vec3{grown_by, grown_by, grown_by};
+    return {centre - reach, centre + reach};
+}
+
+// The triangle's plane is farther away than that.
+bool Surroundings::beyond(const Triangle& t, Vec3 centre, Real limit) const
+{
+    const Real core = self_.type->solid->core_reach(self_, transposed_times(view_.pose.R, t.n));
+    return std::fabs(t.height(centre)) - core - view_.radius > limit;
+}
+
+Separation Surroundings::separation_of(int obstacle, const ConvexView& shape, Real limit) const
+{
+    const Obstacle& o = obstacles_.data()[obstacle];
+    if (o.kind == Obstacle::kPlane) return separation(shape, planes_.data()[o.index]);
+    if (o.kind == Obstacle::kSolid) return separation(shape, solids_.data()[o.index], limit);
+    return separation(shape, view_of(triangles_.data()[o.index]), limit);
+}
+
+Touch Surroundings::touch(int obstacle, Vec3 centre, Real limit) const
+{
+    const Obstacle& o = obstacles_.data()[obstacle];
+    const Real reach = limit + skin_;
+    if (!overlap(box_at(centre, reach), o.box)) return {};
+    if (o.kind == Obstacle::kTriangle && beyond(triangles_.data()[o.index], centre, reach)) return {};
+    const Separation s = separation_of(obstacle, view_at(centre), reach);
+    if (!(s.distance <= reach)) return {};
+    return {obstacle, s.distance - skin_, s.normal, s.on_b};
+}
+
+Touch Surroundings::advance(int obstacle, Vec3 centre, Vec3 along, Real limit) const
+{
+    Real t = 0;
+    Touch now;
+    for (int i = 0; i < kAdvances; ++i) {
+        now = touch(obstacle, centre + t * along, limit - t + tolerance());
+        if (now.obstacle < 0) return {};
+        const Real closing = -dot(along, now.normal);
+        if (closing <= kLevel) return {};
+        if (now.distance <= tolerance()) break;
+        t += (now.distance - Real(0.5) * tolerance()) / closing;
+        if (t > limit) return {};
+    }
+    now.distance = t;
+    return now;
+}
+
+Vec3 Surroundings::face_normal(const Touch& touch, Vec3 up) const
+{
+    const Obstacle& o = obstacles_.data()[touch.obstacle];
+    if (o.kind == Obstacle::kTriangle) {
+        const Vec3 n = triangles_.data()[o.index].n;
+        return dot(n, touch.normal) < 0 ? -n : n;
+    }
+    Vec3 inward = touch.normal - dot(touch.normal, up) * up;
+    if (o.kind == Obstacle::kPlane || !normalize(inward)) return touch.normal;
+    const Sphere point{0};
+    const ConvexView probe =
+        view_of(point, {touch.pos + kProbe * skin_ * (up - inward), Mat3::identity()});
+    return separation_of(touch.obstacle, probe, kInf).normal;
+}
+
+}  // namespace epode

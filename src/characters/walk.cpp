@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "characters/walk.h"
+
+#include "characters/mover.h"
+
+namespace epode {
+namespace {
+
+Vec3 level(const Character& c, Vec3 v) { return v - dot(v, c.up) * c.up; }
+
+Vec3 approached(Vec3 from, Vec3 to, Real most)
+{
+    const Vec3 change = to - from;
+    const Real size = length(change);
+    return size > most ? from + (most / size) * change : to;
+}
+
+[[nodiscard]] bool fly(Geom& geom, Vec3 wish, Real h)
+{
+    Character& c = *geom.character;
+    const Real g = c.settings.gravity;
+    const Vec3 before = c.momentum, sideways = level(c, before);
+    const Vec3 steered = approached(sideways, wish + c.inherited, c.settings.air_acceleration * h);
+    const Vec3 rise = before - sideways, after = steered + rise - g * h * c.up;
+    Mover mover(geom, steered + rise - Real(0.5) * g * h * c.up, h);
+    if (!mover.run()) return false;
+    c.momentum = mover.unhindered(after);
+    return true;
+}
+
+// Before its first move it finds out what it stands on.
+[[nodiscard]] bool find_ground(Geom& geom, Real h)
+{
+    Character& c = *geom.character;
+    if (c.state != 0) return true;
+    const bool launched = c.launched;
+    Mover mover(geom, {}, h);
+    const bool done = mover.run();
+    c.launched = launched;
+    return done;
+}
+
+}  // namespace
+
+bool move(Geom& geom, Vec3 velocity, Real h)
+{
+    if (!find_ground(geom, h)) return false;
+    Mover mover(geom, velocity, h);
+    if (!mover.run()) return false;
+    geom.character->momentum = geom.character->velocity;
+    return true;
+}
+
+bool walk(Geom& geom, Vec3 velocity, Real jump_speed, Real h)
+{
+    if (!find_ground(geom, h)) return false;
+    Character& c = *geom.character;
+    const Vec3 wish = level(c, velocity);
+    const Character before = c;
+    const bool stands = c.state == dCharacterOnGround && !c.launched;
+    bool done = false;
+    if (stands && !(jump_speed > 0)) {
+        Mover mover(geom, wish, h);
+        done = mover.run();
+    } else {
+        if (stands) {
+            c.momentum = wish + c.ground_velocity + jump_speed * c.up;
+            c.inherited = level(c, c.ground_velocity);
+            c.state = dCharacterInAir;
+        } else if (c.state == dCharacterOnSteep) {
+            c.state = dCharacterInAir;  // it slides, and is not carried
+        }
+        done = fly(geom, wish, h);
+    }
+    if (!done) return c = before, false;
+    if (c.state != dCharacterOnGround) {
+        if (!stands || jump_speed > 0) return true;
+        c.momentum = wish + before.ground_velocity;  // it has walked over an edge
+        c.inherited = level(c, before.ground_velocity);
+    }
+    return true;
+}
+
+}  // namespace epode
