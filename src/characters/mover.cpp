@@ -10,7 +10,7 @@
 namespace epode {
 namespace {
 
-constexpr int kSlides = 8, kFrees = 16;
+constexpr int kSlides = 8, kFrees = 16, kSlips = 3;
 constexpr Real kFoothold = Real(0.2);   // the least n . up of a touch that can bear a character
 constexpr Real kLanding = Real(0.1);    // of the skin: ground so much farther away is stood on still
 constexpr Real kLeaves = Real(1e-3);    // of the speed: leads away from the ground
@@ -154,13 +154,13 @@ Vec3 Mover::along_ground(Vec3 motion, Vec3 n) const
     return slope > kFoothold ? level - (dot(level, n) / slope) * up_ : level;
 }
 
-// Steep surfaces are walls: what leads against them does not lead up along them.
-Vec3 Mover::slide_normal(Vec3 n) const
+// Steep surfaces are walls where they would lead the motion up, or off the ground.
+Vec3 Mover::slide_normal(Vec3 n, Vec3 motion) const
 {
     const Real rise = dot(n, up_);
-    const bool wall = is_steep(n) && (rise > 0 || grounded_);
+    const bool lifts = rise > 0 && dot(without(motion, n), up_) > std::max(dot(motion, up_), Real(0));
     const Vec3 level = without(n, up_);
-    if (!wall || !(length2(level) > Real(1e-6))) return n;
+    if (!is_steep(n) || !(grounded_ || lifts) || !(length2(level) > Real(1e-6))) return n;
     return level / length(level);
 }
 
@@ -188,13 +188,13 @@ Vec3 Mover::bent(Vec3 motion) const
     return allowed(motion, -1, -1) ? motion : Vec3{};
 }
 
-void Mover::meet(const Touch& touch)
+void Mover::meet(const Touch& touch, Vec3 motion)
 {
     const Real rise = dot(touch.normal, up_);
     if (rise < Real(-0.5)) character_.hit_ceiling = true;
     if (is_steep(touch.normal) && rise >= Real(-0.5)) character_.hit_wall = true;
     if (is_steep(touch.normal)) push(touch);
-    const Vec3 n = slide_normal(touch.normal);
+    const Vec3 n = slide_normal(touch.normal, motion);
     (void)met_.push(n);
     if (planes_ < kMaxPlanes) plane_[planes_++] = n;
 }
@@ -216,7 +216,7 @@ void Mover::slide(Vec3 motion)
             planes_ = 0;
             continue;
         }
-        meet(touch);
+        meet(touch, motion);
         motion = bent(motion);
         if (dot(motion, first) <= 0 && i > 0) return;  // back and forth in a corner
     }
@@ -285,13 +285,23 @@ Touch Mover::support_at(Vec3 centre, Vec3* face) const
     return best;
 }
 
+// Past an edge that bears it no more it slips, as far as the edge is in the way.
 void Mover::stick()
 {
     if (support_at(at_, nullptr).obstacle >= 0) return;
-    const Touch below = around_.cast(at_, -(settings_.stick_distance + skin_) * up_);
-    if (below.obstacle < 0) return;
-    const Vec3 there = at_ - below.distance * up_;
-    if (support_at(there, nullptr).obstacle >= 0) at_ = there;
+    Vec3 there = at_, down = -(settings_.stick_distance + skin_) * up_;
+    for (int i = 0; i < kSlips; ++i) {
+        const Touch below = around_.cast(there, down);
+        if (below.obstacle < 0) return;
+        there += (below.distance / length(down)) * down;
+        if (support_at(there, nullptr).obstacle >= 0) {
+            at_ = there;
+            return;
+        }
+        if (!(dot(below.normal, up_) < kFoothold)) return;
+        down = without((1 - below.distance / length(down)) * down, below.normal);
+        if (!(length(down) > kNothing)) return;
+    }
 }
 
 void Mover::stand_on(const Touch& touch, Vec3 face)

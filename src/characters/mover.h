@@ -38,8 +38,8 @@ class Mover {
     void free();
     Vec3 way_out(Real& deepest);
     void slide(Vec3 motion);
-    void meet(const Touch& touch);
-    Vec3 slide_normal(Vec3 n) const;
+    void meet(const Touch& touch, Vec3 motion);
+    Vec3 slide_normal(Vec3 n, Vec3 motion) const;
     Vec3 bent(Vec3 motion) const;
     Vec3 along_ground(Vec3 motion, Vec3 n) const;
     bool climb(Vec3& motion);

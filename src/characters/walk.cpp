@@ -16,12 +16,21 @@ Vec3 approached(Vec3 from, Vec3 to, Real most)
     return size > most ? from + (most / size) * change : to;
 }
 
+// The velocity sideways. Down what is too steep to stand on it slides: it steers across alone.
+Vec3 steered_from(const Character& c, Vec3 sideways, Vec3 wish, Real h)
+{
+    const Vec3 steered = approached(sideways, wish + c.inherited, c.settings.air_acceleration * h);
+    Vec3 down = level(c, c.ground_normal);
+    if (!normalize(down)) return steered;
+    return steered + dot(sideways - steered, down) * down;
+}
+
 [[nodiscard]] bool fly(Geom& geom, Vec3 wish, Real h)
 {
     Character& c = *geom.character;
     const Real g = c.settings.gravity;
     const Vec3 before = c.momentum, sideways = level(c, before);
-    const Vec3 steered = approached(sideways, wish + c.inherited, c.settings.air_acceleration * h);
+    const Vec3 steered = steered_from(c, sideways, wish, h);
     const Vec3 rise = before - sideways, after = steered + rise - g * h * c.up;
     Mover mover(geom, steered + rise - Real(0.5) * g * h * c.up, h);
     if (!mover.run()) return false;
@@ -68,6 +77,7 @@ bool walk(Geom& geom, Vec3 velocity, Real jump_speed, Real h)
             c.momentum = wish + c.ground_velocity + jump_speed * c.up;
             c.inherited = level(c, c.ground_velocity);
             c.state = dCharacterInAir;
+            c.ground_normal = {};
         } else if (c.state == dCharacterOnSteep) {
             c.state = dCharacterInAir;  // it slides, and is not carried
         }
