@@ -95,7 +95,7 @@ ODE_API int dWorldGetLostEvents(dWorldID world);
 
 /** - dGeomSetSensor: Make the geom a sensor (mode 1) or an ordinary geom (mode 0, the default). World-managed
       contacts and continuous collision pass through a sensor; sensor events report the geoms that overlap it
-      at the end of each step, asleep or not, if their bits agree, they or the sensor have a body of the world,
+      at the end of each step, asleep or not, if their bits agree, they or the sensor have a body of the world or they are characters,
       and they are not of one body. Sensors and rays are not reported. dSpaceCollide, dCollide and queries
       treat it as any geom: a near callback leaves it out by dGeomGetSensor. Refused: a geom that is a space or in
       a space that is being collided; other modes.

@@ -57,7 +57,7 @@ bool Mover::run()
     if (grounded_) stick();
     settle();
     store(self_.own_position, at_);
-    character_.velocity = (at_ - start_) / h_;
+    character_.velocity = at_ == start_ ? Vec3{} : (at_ - start_) / h_;
     character_.launched = false;
     mark_moved(self_);
     return true;

@@ -2,6 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 #include "characters/walk.h"
 
+#include <limits>
+
 #include "characters/mover.h"
 
 namespace epode {
@@ -38,15 +40,16 @@ Vec3 steered_from(const Character& c, Vec3 sideways, Vec3 wish, Real h)
     return true;
 }
 
-// Before its first move it finds out what it stands on.
-[[nodiscard]] bool find_ground(Geom& geom, Real h)
+// Before its first move it finds out what it stands on, in no time: without a push and without weight.
+[[nodiscard]] bool find_ground(Geom& geom)
 {
     Character& c = *geom.character;
     if (c.state != 0) return true;
     const bool launched = c.launched;
-    Mover mover(geom, {}, h);
+    const Vec3 velocity = c.velocity;
+    Mover mover(geom, {}, std::numeric_limits<Real>::min());
     const bool done = mover.run();
-    c.launched = launched;
+    c.launched = launched, c.velocity = velocity;
     return done;
 }
 
@@ -54,7 +57,7 @@ Vec3 steered_from(const Character& c, Vec3 sideways, Vec3 wish, Real h)
 
 bool move(Geom& geom, Vec3 velocity, Real h)
 {
-    if (!find_ground(geom, h)) return false;
+    if (!find_ground(geom)) return false;
     Mover mover(geom, velocity, h);
     if (!mover.run()) return false;
     geom.character->momentum = geom.character->velocity;
@@ -63,7 +66,7 @@ bool move(Geom& geom, Vec3 velocity, Real h)
 
 bool walk(Geom& geom, Vec3 velocity, Real jump_speed, Real h)
 {
-    if (!find_ground(geom, h)) return false;
+    if (!find_ground(geom)) return false;
     Character& c = *geom.character;
     const Vec3 wish = level(c, velocity);
     const Character before = c;

@@ -22,7 +22,7 @@ bool is_of(const World& world, const Geom& geom)
 // Is the geom something that the sensor reports, if the two overlap?
 bool may_report(const World& world, Geom& sensor, Geom& other)
 {
-    const bool moves = sensor.body.id || other.body.id;
+    const bool moves = sensor.body.id || other.body.id || other.character;
     return moves && !other.sensor && other.type->number != dRayClass && is_of(world, other) &&
            can_pair(sensor, other);
 }
