@@ -251,7 +251,7 @@ bool Mover::climb(Vec3& motion)
     if (landing.obstacle < 0) return false;
     q -= landing.distance * up_;
     const Real rise = dot(q - at_, up_);
-    const Touch support = support_at(q, nullptr);
+    const Touch support = support_at(q);
     if (support.obstacle < 0 || rise <= around_.tolerance()) return false;
     if (dot(support.pos, up_) - feet(at_) > settings_.step_height + Real(0.2) * skin_) return false;
     character_.climbed += rise;
@@ -269,32 +269,34 @@ bool Mover::supports(const Touch& touch, Vec3 face) const
 }
 
 // The touch that bears most upright; of those that bear none.
-Touch Mover::support_at(Vec3 centre, Vec3* face) const
+const Touch& Mover::support_at(Vec3 centre)
 {
-    Touch best;
-    Real rise = kFoothold;
+    if (support_.known && support_.centre == centre) return support_.touch;
+    support_ = {centre, {}, {}, true};
+    Real best = kFoothold;
     for (int i = 0; i < around_.count(); ++i) {
         const Touch touch = around_.touch(i, centre, kLanding * skin_);
-        if (touch.obstacle < 0 || !(dot(touch.normal, up_) >= kFoothold)) continue;
+        const Real rise = dot(touch.normal, up_);
+        if (touch.obstacle < 0 || !(rise >= kFoothold)) continue;
         const Vec3 n = around_.face_normal(touch, up_);
-        const Real own = std::max(dot(touch.normal, up_), dot(n, up_));
-        if (!supports(touch, n) || own <= rise) continue;
-        best = touch, rise = own;
-        if (face) *face = dot(n, up_) >= dot(touch.normal, up_) ? n : touch.normal;
+        const Real own = std::max(rise, dot(n, up_));
+        if (!supports(touch, n) || own <= best) continue;
+        best = own;
+        support_.touch = touch, support_.face = dot(n, up_) >= rise ? n : touch.normal;
     }
-    return best;
+    return support_.touch;
 }
 
 // Past an edge that bears it no more it slips, as far as the edge is in the way.
 void Mover::stick()
 {
-    if (support_at(at_, nullptr).obstacle >= 0) return;
+    if (support_at(at_).obstacle >= 0) return;
     Vec3 there = at_, down = -(settings_.stick_distance + skin_) * up_;
     for (int i = 0; i < kSlips; ++i) {
         const Touch below = around_.cast(there, down);
         if (below.obstacle < 0) return;
         there += (below.distance / length(down)) * down;
-        if (support_at(there, nullptr).obstacle >= 0) {
+        if (support_at(there).obstacle >= 0) {
             at_ = there;
             return;
         }
@@ -322,8 +324,8 @@ void Mover::stand_on(const Touch& touch, Vec3 face)
 void Mover::settle()
 {
     const bool rises = dot(velocity_, up_) > 0 && !grounded_;
-    Vec3 face;
-    Touch touch = support_at(at_, &face);
+    Touch touch = support_at(at_);
+    const Vec3 face = support_.face;
     // While it leaves the ground it does not stand.
     if (rises && dot(velocity_, face) > kLeaves * length(velocity_)) touch = {};
     character_.state = dCharacterOnGround;

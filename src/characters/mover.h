@@ -46,7 +46,7 @@ class Mover {
     void stick();
     void settle();
     void stand_on(const Touch& touch, Vec3 face);
-    Touch support_at(Vec3 centre, Vec3* face) const;
+    const Touch& support_at(Vec3 centre);
     bool supports(const Touch& touch, Vec3 face) const;
     bool is_steep(Vec3 n) const { return dot(n, up_) < slope_cos_; }
     Real feet(Vec3 centre) const { return dot(centre, up_) - half_height_ - skin_; }
@@ -62,6 +62,11 @@ class Mover {
     Real force_left_;  // impulse that may be given to bodies
     Surroundings around_;
     Vec3 start_, at_;
+    struct Support {  // found the last time
+        Vec3 centre, face;
+        Touch touch;
+        bool known = false;
+    } support_;
     bool grounded_;
     Vec3 plane_[kMaxPlanes];
     int planes_ = 0;

@@ -3,6 +3,7 @@
 #include "characters/surroundings.h"
 
 #include "base/float_environment.h"
+#include "characters/segment_triangle.h"
 #include "collide/collide.h"
 #include "collide/solid_type.h"
 #include "query/candidates.h"
@@ -107,11 +108,49 @@ Aabb Surroundings::box_at(Vec3 centre, Real grown_by) const
     return {centre - reach, centre + reach};
 }
 
-// The triangle's plane is farther away than that.
-bool Surroundings::beyond(const Triangle& t, Vec3 centre, Real limit) const
+// From the plane of a triangle, less the skin: no more than the distance from the triangle.
+Real Surroundings::height_over(const Triangle& t, Vec3 centre) const
 {
     const Real core = self_.type->solid->core_reach(self_, transposed_times(view_.pose.R, t.n));
-    return std::fabs(t.height(centre)) - core - view_.radius > limit;
+    return std::fabs(t.height(centre)) - core - view_.radius - skin_;
+}
+
+// How far the shape moves at least until it may touch: by the boxes, and by the plane of a triangle.
+Real Surroundings::least_way(int obstacle, Vec3 centre, Vec3 along, Real limit) const
+{
+    const Obstacle& o = obstacles_.data()[obstacle];
+    const Aabb box = box_at(centre, skin_);
+    Real least = 0;
+    for (int i = 0; i < 3; ++i) {
+        const Real before = std::max(o.box.lo[i] - box.hi[i], box.lo[i] - o.box.hi[i]);
+        if (!(before > 0)) continue;
+        const Real speed = o.box.lo[i] > box.hi[i] ? along[i] : -along[i];
+        if (!(speed * limit >= before)) return kInf;
+        least = std::max(least, before / speed);
+    }
+    if (o.kind != Obstacle::kTriangle) return least;
+    const Triangle& t = triangles_.data()[o.index];
+    const Real height = height_over(t, centre);
+    if (!(height > 0)) return least;
+    const Real speed = t.height(centre) > 0 ? -dot(along, t.n) : dot(along, t.n);
+    if (!(speed * limit >= height)) return kInf;
+    return std::max(least, height / speed);
+}
+
+// Of a capsule from a triangle. Nothing: the general search must do it.
+bool Surroundings::separation_of_capsule(const Triangle& t, Vec3 centre, Separation& out) const
+{
+    if (view_.kind != SolidKind::kSegment) return false;
+    const Vec3 arm = static_cast<const ShapeGeom<Capsule>&>(self_).shape.half_length * view_.pose.R.column(2);
+    SegmentGap gap;
+    if (!segment_gap(centre - arm, centre + arm, t, gap)) return false;
+    const Real core = std::sqrt(gap.distance2);
+    if (!(core > Real(0.01) * view_.radius)) return false;
+    out.normal = (gap.on_segment - gap.on_triangle) / core;
+    out.distance = core - view_.radius;
+    out.on_a = gap.on_segment - view_.radius * out.normal;
+    out.on_b = gap.on_triangle;
+    return true;
 }
 
 Separation Surroundings::separation_of(int obstacle, const ConvexView& shape, Real limit) const
@@ -127,15 +166,18 @@ Touch Surroundings::touch(int obstacle, Vec3 centre, Real limit) const
     const Obstacle& o = obstacles_.data()[obstacle];
     const Real reach = limit + skin_;
     if (!overlap(box_at(centre, reach), o.box)) return {};
-    if (o.kind == Obstacle::kTriangle && beyond(triangles_.data()[o.index], centre, reach)) return {};
-    const Separation s = separation_of(obstacle, view_at(centre), reach);
+    Separation s;
+    const bool flat = o.kind == Obstacle::kTriangle;
+    if (flat && height_over(triangles_.data()[o.index], centre) > limit) return {};
+    if (!flat || !separation_of_capsule(triangles_.data()[o.index], centre, s))
+        s = separation_of(obstacle, view_at(centre), reach);
     if (!(s.distance <= reach)) return {};
     return {obstacle, s.distance - skin_, s.normal, s.on_b};
 }
 
-Touch Surroundings::advance(int obstacle, Vec3 centre, Vec3 along, Real limit) const
+Touch Surroundings::advance(int obstacle, Vec3 centre, Vec3 along, Real from, Real limit) const
 {
-    Real t = 0;
+    Real t = from;
     Touch now;
     for (int i = 0; i < kAdvances; ++i) {
         now = touch(obstacle, centre + t * along, limit - t + tolerance());

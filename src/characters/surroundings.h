@@ -60,13 +60,19 @@ class Surroundings {
     Real tolerance() const { return skin_ * (kSingle ? Real(1e-2) : Real(1e-4)); }
 
   private:
+    struct Way {
+        Real least;
+        int obstacle;
+    };
     [[nodiscard]] bool add(Geom& geom, const Aabb& region);
     [[nodiscard]] bool add_triangles(Geom& geom, const QueryShape& shape, const Aabb& region);
-    Touch advance(int obstacle, Vec3 centre, Vec3 along, Real limit) const;
+    Touch advance(int obstacle, Vec3 centre, Vec3 along, Real from, Real limit) const;
+    Real least_way(int obstacle, Vec3 centre, Vec3 along, Real limit) const;
     ConvexView view_at(Vec3 centre) const;
     Aabb box_at(Vec3 centre, Real grown_by) const;
     Separation separation_of(int obstacle, const ConvexView& shape, Real limit) const;
-    bool beyond(const Triangle& t, Vec3 centre, Real limit) const;
+    bool separation_of_capsule(const Triangle& t, Vec3 centre, Separation& out) const;
+    Real height_over(const Triangle& t, Vec3 centre) const;
 
     Geom& self_;
     Real skin_;
@@ -78,6 +84,7 @@ class Surroundings {
     Array<ConvexView> solids_;
     Array<Plane> planes_;
     Array<Triangle> triangles_;
+    mutable Array<Way> ways_;
 };
 
 template <typename Ignored>
@@ -87,12 +94,20 @@ Touch Surroundings::cast(Vec3 centre, Vec3 motion, Ignored&& ignored) const
     Vec3 along = motion;
     const Real far = length(motion);
     if (!normalize(along)) return best;
-    const Aabb from = box_at(centre, skin_), to = box_at(centre + motion, skin_);
-    const Aabb swept = {min(from.lo, to.lo), max(from.hi, to.hi)};
+    ways_.clear();
     for (int i = 0; i < count(); ++i) {
-        if (!overlap(swept, obstacles_.data()[i].box) || ignored(i)) continue;
-        const Touch met = advance(i, centre, along, best.obstacle < 0 ? far : best.distance);
+        const Real least = least_way(i, centre, along, far);
+        if (least <= far && !ignored(i) && !ways_.push({least, i})) break;
+    }
+    for (;;) {  // the one that may be nearest first
+        Way* next = nullptr;
+        for (Way& way : ways_)
+            if (way.least < (next ? next->least : best.distance)) next = &way;
+        if (!next || next->least > far) break;
+        const Real limit = best.obstacle < 0 ? far : best.distance;
+        const Touch met = advance(next->obstacle, centre, along, next->least, limit);
         if (met.obstacle >= 0 && met.distance < best.distance) best = met;
+        next->least = kInf;
     }
     return best;
 }
