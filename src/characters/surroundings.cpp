@@ -137,6 +137,20 @@ Real Surroundings::least_way(int obstacle, Vec3 centre, Vec3 along, Real limit) 
     return std::max(least, height / speed);
 }
 
+// If the shape's farthest point towards the plane of a triangle is over the face, no other is nearer.
+bool Surroundings::separation_over(const Triangle& t, Vec3 centre, Separation& out) const
+{
+    const Vec3 n = t.height(centre) < 0 ? -t.n : t.n;
+    const Vec3 core = view_at(centre).support(-n);
+    const Real height = dot(n, core - t.v[0]);
+    if (!(height > view_.radius) || !is_over(t, core)) return false;
+    out.normal = n;
+    out.distance = height - view_.radius;
+    out.on_a = core - view_.radius * n;
+    out.on_b = core - height * n;
+    return true;
+}
+
 // Of a capsule from a triangle. Nothing: the general search must do it.
 bool Surroundings::separation_of_capsule(const Triangle& t, Vec3 centre, Separation& out) const
 {
@@ -168,8 +182,9 @@ Touch Surroundings::touch(int obstacle, Vec3 centre, Real limit) const
     if (!overlap(box_at(centre, reach), o.box)) return {};
     Separation s;
     const bool flat = o.kind == Obstacle::kTriangle;
-    if (flat && height_over(triangles_.data()[o.index], centre) > limit) return {};
-    if (!flat || !separation_of_capsule(triangles_.data()[o.index], centre, s))
+    const Triangle* const t = flat ? triangles_.data() + o.index : nullptr;
+    if (t && height_over(*t, centre) > limit) return {};
+    if (!t || !(separation_of_capsule(*t, centre, s) || separation_over(*t, centre, s)))
         s = separation_of(obstacle, view_at(centre), reach);
     if (!(s.distance <= reach)) return {};
     return {obstacle, s.distance - skin_, s.normal, s.on_b};

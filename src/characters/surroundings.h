@@ -71,6 +71,7 @@ class Surroundings {
     ConvexView view_at(Vec3 centre) const;
     Aabb box_at(Vec3 centre, Real grown_by) const;
     Separation separation_of(int obstacle, const ConvexView& shape, Real limit) const;
+    bool separation_over(const Triangle& t, Vec3 centre, Separation& out) const;
     bool separation_of_capsule(const Triangle& t, Vec3 centre, Separation& out) const;
     Real height_over(const Triangle& t, Vec3 centre) const;
 
