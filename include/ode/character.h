@@ -42,28 +42,28 @@ typedef int dCharacterFilter(void* data, dGeomID character, dGeomID other, const
 
 /** What a character is and does. Each field ends with its default. */
 typedef struct dCharacterSettings {
-    unsigned struct_size;   /**< sizeof(dCharacterSettings), set by the caller or dCharacterSettingsInit */
-    int shape;              /**< dCapsuleClass, dCylinderClass or dBoxClass. dCapsuleClass */
-    dReal radius;           /**< m; of a box, half the side of its square base. 0.3 */
-    dReal height;           /**< m, from the feet to the top; of a capsule at least 2 radius. 1.8 */
-    dVector3 up;            /**< of any length but 0. (0, 0, 1) */
-    dReal gravity;          /**< of dCharacterWalk, m/s^2, 0 or more. 9.81 */
-    dReal skin;             /**< the gap that it keeps, m, above 0 and at most radius / 4. 0.01 */
-    dReal slope_limit;      /**< the steepest ground that it can stand on, rad, 0 ... 1.5. 0.87 (50 degrees) */
-    dReal step_height;      /**< of steps that it climbs, m, 0 or more. 0.3 */
-    dReal stick_distance;   /**< how far down it follows ground that falls away, m, 0 or more. 0.3 */
-    dReal mass;             /**< weighs with `gravity` on bodies that it stands on, kg; 0: nothing. 70 */
-    dReal max_force;        /**< that it pushes bodies with, N, 0 or more, not infinite. 500 */
-    dReal air_acceleration; /**< of dCharacterWalk, how fast it turns in the air, m/s^2, 0 or more. 10 */
+    unsigned struct_size; /**< sizeof(dCharacterSettings), set by the caller or dCharacterSettingsInit */
+    int shape;            /**< dCapsuleClass, dCylinderClass or dBoxClass. dCapsuleClass */
+    dReal radius;         /**< m; of a box, half the side of its square base. 0.3 */
+    dReal height;         /**< m, from the feet to the top; of a capsule at least 2 radius. 1.8 */
+    dVector3 up;          /**< of any length but 0. (0, 0, 1) */
+    dReal gravity;        /**< of dCharacterWalk, m/s^2, 0 or more. 9.81 */
+    dReal skin;           /**< the gap that it keeps, m, above 0 and at most radius / 4. 0.01 */
+    dReal slope_limit;    /**< the steepest ground that it can stand on, rad, 0 ... 1.5. 0.87 (50 degrees) */
+    dReal step_height;    /**< of steps that it climbs, m, 0 or more. 0.3 */
+    dReal stick_distance; /**< how far down it follows ground that falls away, m, 0 or more. 0.3 */
+    dReal mass;           /**< weighs with `gravity` on bodies that it stands on, kg; 0: nothing. 70 */
+    dReal max_force;      /**< that it pushes bodies with, N, 0 or more, not infinite. 500 */
+    dReal air_acceleration;   /**< of dCharacterWalk, how fast it turns in the air, m/s^2, 0 or more. 10 */
     dCharacterFilter* filter; /**< has the last word; 0: none. 0 */
     void* data;               /**< for the filter. 0 */
 } dCharacterSettings;
 
 /** What a character stands on. */
 typedef enum {
-    dCharacterInAir = 1,    /**< on nothing */
-    dCharacterOnSteep = 2,  /**< it touches ground steeper than the slope limit, and nothing better */
-    dCharacterOnGround = 3  /**< it stands */
+    dCharacterInAir = 1,   /**< on nothing */
+    dCharacterOnSteep = 2, /**< it touches ground steeper than the slope limit, and nothing better */
+    dCharacterOnGround = 3 /**< it stands */
 } dCharacterState;
 
 /** What the last move has done. Without ground, its fields are 0. */

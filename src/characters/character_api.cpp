@@ -43,8 +43,7 @@ const char* fault_of_move(const Geom& geom, const Vec3& velocity, Real h)
 // Settings whose shape is the one that the character has.
 bool same_shape(const dCharacterSettings& a, const dCharacterSettings& b)
 {
-    return a.shape == b.shape && a.radius == b.radius && a.height == b.height &&
-           load(a.up) == load(b.up);
+    return a.shape == b.shape && a.radius == b.radius && a.height == b.height && load(a.up) == load(b.up);
 }
 
 dGeomID create_shape_for(dSpaceID space, const dCharacterSettings& s)
@@ -80,7 +79,7 @@ dCharacterReport report_of(const Character& c)
 }  // namespace
 }  // namespace epode
 
-#define EPODE_CHARACTER(geom, id, ...)             \
+#define EPODE_CHARACTER(geom, id, ...)                 \
     ::epode::Geom* geom = ::epode::character_from(id); \
     EPODE_USER_SAY(geom, ::epode::kNoCharacter __VA_OPT__(, ) __VA_ARGS__)
 
@@ -132,7 +131,8 @@ extern "C" int dCharacterSetSettings(dGeomID id, const dCharacterSettings* setti
     const dCharacterSettings whole = completed(*settings, c.settings);
     const char* const fault = fault_of(whole);
     EPODE_USER_SAY(!fault, fault, 0);
-    EPODE_USER_SAY(same_shape(whole, c.settings), "another shape, radius, height or up (accepted: its own)", 0);
+    EPODE_USER_SAY(same_shape(whole, c.settings), "another shape, radius, height or up (accepted: its own)",
+                   0);
     EPODE_UNLOCKED(geom, 0);
     const Vec3 foot = foot_of(*geom);
     const bool moves = whole.skin != c.settings.skin;

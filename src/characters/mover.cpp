@@ -83,7 +83,8 @@ void Mover::ride()
     Geom* const ground = from_handle<Geom>(character_.ground);
     if (!ground || !ground->type->placeable || is_space(*ground)) return;
     const Pose now = pose_of(*ground), &then = character_.ground_pose;
-    if (now.p == then.p && now.R.row0 == then.R.row0 && now.R.row1 == then.R.row1 && now.R.row2 == then.R.row2)
+    if (now.p == then.p && now.R.row0 == then.R.row0 && now.R.row1 == then.R.row1 &&
+        now.R.row2 == then.R.row2)
         return;
     const Vec3 foot = at_ - (half_height_ + skin_) * up_;
     character_.carried = now.to_world(then.to_local(foot)) - foot;
@@ -136,7 +137,8 @@ void Mover::free()
         const Vec3 out = way_out(deepest);
         if (deepest == 0) break;
         // What it is too close to already does not stop it.
-        const Touch stop = around_.cast(at_, out, [&](int o) { return around_.touch(o, at_, 0).distance < 0; });
+        const Touch stop =
+            around_.cast(at_, out, [&](int o) { return around_.touch(o, at_, 0).distance < 0; });
         const Real far = length(out);
         at_ += stop.obstacle >= 0 && far > 0 ? (stop.distance / far) * out : out;
         if (far < around_.tolerance()) break;
@@ -315,7 +317,7 @@ void Mover::stand_on(const Touch& touch, Vec3 face)
     character_.ground_pos = touch.pos, character_.ground_normal = face;
     character_.ground_pose = o.geom->type->placeable ? pose_of(*o.geom) : Pose{};
     const Body* const body = body_of(*o.geom);
-    character_.ground_velocity = body ? body->point_velocity(touch.pos)
+    character_.ground_velocity = body   ? body->point_velocity(touch.pos)
                                  : same ? character_.carried / h_
                                         : Vec3{};
     if (character_.state == dCharacterOnGround) weigh();

@@ -59,7 +59,8 @@ bool Surroundings::collect(Space& space, const Aabb& region)
     const GeomHold hold(self_, settings.filter != nullptr);
     const CandidateLock lock(settings.filter ? &space : nullptr, near_);
     for (Geom* geom : near_)
-        if (is_met(self_, *geom) && asks(settings, self_, *geom, velocity_) && !add(*geom, region)) return false;
+        if (is_met(self_, *geom) && asks(settings, self_, *geom, velocity_) && !add(*geom, region))
+            return false;
     return true;
 }
 
@@ -217,8 +218,7 @@ Vec3 Surroundings::face_normal(const Touch& touch, Vec3 up) const
     Vec3 inward = touch.normal - dot(touch.normal, up) * up;
     if (o.kind == Obstacle::kPlane || !normalize(inward)) return touch.normal;
     const Sphere point{0};
-    const ConvexView probe =
-        view_of(point, {touch.pos + kProbe * skin_ * (up - inward), Mat3::identity()});
+    const ConvexView probe = view_of(point, {touch.pos + kProbe * skin_ * (up - inward), Mat3::identity()});
     return separation_of(touch.obstacle, probe, kInf).normal;
 }
 

@@ -26,14 +26,15 @@ struct Obstacle {
 };
 
 struct Touch {
-    int obstacle = -1;  // below 0: none
+    int obstacle = -1;     // below 0: none
     Real distance = kInf;  // d; of a cast: along the path
     Vec3 normal, pos;
 };
 
 class Surroundings {
   public:
-    Surroundings(Geom& self, Vec3 velocity) : self_(self), skin_(self.character->settings.skin), velocity_(velocity)
+    Surroundings(Geom& self, Vec3 velocity)
+        : self_(self), skin_(self.character->settings.skin), velocity_(velocity)
     {}
     Surroundings(const Surroundings&) = delete;
     Surroundings& operator=(const Surroundings&) = delete;

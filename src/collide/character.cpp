@@ -27,10 +27,12 @@ const char* fault_of_size(const dCharacterSettings& s)
 {
     if (s.shape != dCapsuleClass && s.shape != dCylinderClass && s.shape != dBoxClass)
         return "shape (accepted: dCapsuleClass, dCylinderClass, dBoxClass)";
-    if (!in_range(s.radius, 0, kFarthest) || s.radius == 0) return "radius (accepted: above 0, at most 1e6 m)";
+    if (!in_range(s.radius, 0, kFarthest) || s.radius == 0)
+        return "radius (accepted: above 0, at most 1e6 m)";
     if (!usable(s.height) || !fits_height(s, s.height))
         return "height (accepted: above 0, at most 1e6 m; of a capsule at least 2 radius)";
-    if (!in_range(s.skin, 0, s.radius / 4) || s.skin == 0) return "skin (accepted: above 0, at most radius / 4)";
+    if (!in_range(s.skin, 0, s.radius / 4) || s.skin == 0)
+        return "skin (accepted: above 0, at most radius / 4)";
     Vec3 up = load(s.up);
     const bool direction = usable(up.x) && usable(up.y) && usable(up.z) && normalize(up);
     return direction ? nullptr : "up (accepted: finite, of any length but 0)";
@@ -50,9 +52,9 @@ void visit_numbers(Character& c, StructureStream& stream)
 template <typename Visit>
 void each_vector(Character& c, Visit&& visit)
 {
-    for (Vec3* v : {&c.velocity, &c.momentum, &c.inherited, &c.ground_pos, &c.ground_normal,
-                    &c.ground_velocity, &c.carried, &c.ground_pose.p, &c.ground_pose.R.row0,
-                    &c.ground_pose.R.row1, &c.ground_pose.R.row2})
+    for (Vec3* v :
+         {&c.velocity, &c.momentum, &c.inherited, &c.ground_pos, &c.ground_normal, &c.ground_velocity,
+          &c.carried, &c.ground_pose.p, &c.ground_pose.R.row0, &c.ground_pose.R.row1, &c.ground_pose.R.row2})
         visit(*v);
 }
 
@@ -163,8 +165,9 @@ void state_of_character(Geom& geom, StateStream& stream)
     stream.reals(&c.settings.height, 1);
     each_vector(c, [&](Vec3& v) { stream.reals(&v.x, 3); });
     stream.reals(&c.turn, 1), stream.reals(&c.climbed, 1), stream.reals(&c.overlap, 1);
-    const std::uint32_t bits = stream.word(std::uint32_t(c.state) | std::uint32_t(c.hit_wall) << 4 |
-                                           std::uint32_t(c.hit_ceiling) << 5 | std::uint32_t(c.launched) << 6);
+    const std::uint32_t bits =
+        stream.word(std::uint32_t(c.state) | std::uint32_t(c.hit_wall) << 4 |
+                    std::uint32_t(c.hit_ceiling) << 5 | std::uint32_t(c.launched) << 6);
     c.ground_side = int(stream.word(std::uint32_t(c.ground_side)));
     const bool good = bits < 128 && (bits & 15) <= dCharacterOnGround && !fault_of(c.settings);
     if (!stream.demand(good, "a character of the state has a state or a height that it cannot have")) return;

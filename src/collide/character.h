@@ -23,14 +23,14 @@ struct Character {
     Vec3 momentum;   // of dCharacterWalk: the velocity that it takes into the air
     Vec3 inherited;  // of dCharacterWalk: of what it has jumped from, without the part along up
     Vec3 ground_pos, ground_normal, ground_velocity;
-    Pose ground_pose;          // of the ground's geom then
-    Vec3 carried;              // by the ground
+    Pose ground_pose;  // of the ground's geom then
+    Vec3 carried;      // by the ground
     Real turn = 0, climbed = 0, overlap = 0;
     dGeomID ground = nullptr;  // perhaps destroyed since
     int ground_side = -1;
-    std::uint8_t state = 0;    // a dCharacterState
+    std::uint8_t state = 0;  // a dCharacterState
     bool hit_wall = false, hit_ceiling = false;
-    bool launched = false;     // the program has given it a velocity that leads off the ground
+    bool launched = false;  // the program has given it a velocity that leads off the ground
 };
 
 extern const dCharacterSettings kDefaultCharacter;

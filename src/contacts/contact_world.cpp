@@ -34,8 +34,8 @@ bool may_push(const World& world, const GeomPair& pair)
     if (!can_push(*pair.a) || !can_push(*pair.b)) return false;
     const Body *a = body_of(*pair.a), *b = body_of(*pair.b);
     const bool moves = (a && !a->kinematic()) || (b && !b->kinematic());
-    return moves && !pair.a->sensor && !pair.b->sensor && !pair.a->character && !pair.b->character && (!a || a->world == &world) &&
-           (!b || b->world == &world);
+    return moves && !pair.a->sensor && !pair.b->sensor && !pair.a->character && !pair.b->character &&
+           (!a || a->world == &world) && (!b || b->world == &world);
 }
 
 // False: out of memory.

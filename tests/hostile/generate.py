@@ -46,7 +46,7 @@ KIND_OF_TYPE = {
     "const dGeomClass*": "GeomClass", "dWorldStepReport*": "WorldReport",
     "dIslandStepReport*": "IslandReport", "dEnergyLedger*": "Ledger", "dStopwatch*": "Stopwatch", "FILE*": "File",
     "const char*": "Text", "dQueryHit*": "QueryHits", "dHandlePair*": "QueryHits", "dSpaceID*": "QueryHits", "dQueryDistance*": "QueryHits", "void*": "Data", "dJointID*": "JointList", "dJointFeedback*": "Feedback", "dGeomID*": "QueryHits",
-    "dContactEvent*": "QueryHits", "dDiagnosis*": "QueryHits", "const dDiagnosis*": "QueryHits", "dWorldContact*": "QueryHits", "dEvent*": "QueryHits", "const dEventSettings*": "EventSettings", "dEventSettings*": "EventSettingsBuffer", "dMaterial*": "Material",
+    "dContactEvent*": "QueryHits", "dDiagnosis*": "QueryHits", "const dDiagnosis*": "QueryHits", "dWorldContact*": "QueryHits", "dEvent*": "QueryHits", "const dEventSettings*": "EventSettings", "dEventSettings*": "EventSettingsBuffer", "const dCharacterSettings*": "CharacterSettings", "dCharacterSettings*": "CharacterSettingsBuffer", "dCharacterReport*": "CharacterReport", "dMaterial*": "Material",
     "const dMaterial*": "Material", "dDrive*": "DriveBuffer", "const dDrive*": "Drive", "const dQueryFilter*": "QueryFilter", "dContactFilter*": "ContactFilter",
     "const unsigned char*": "Bytes", "const short*": "Shorts", "const float*": "Floats",
     "const double*": "Doubles",
@@ -66,7 +66,7 @@ MATRIX = (r"d(SetZero|SetValue|Dot|Multiply\d|FactorCholesky|SolveCholesky|Inver
 KIND_OF_PARAMETER = [
     (r"dPrintMatrix:fmt", "Format"),
     (r"dThreadingAllocateThreadPool:thread_count", "ThreadCount"),
-    (r"d(Material|QueryFilter|Drive|EventSettings)Init:(material|filter|drive|settings)", "QueryHits"),
+    (r"d(Material|QueryFilter|Drive|EventSettings|CharacterSettings)Init:(material|filter|drive|settings)", "QueryHits"),
     (r"d(Diagnosis|Defaults)Text:text", "QueryHits"),
     (r"\w+:struct_size", "StructSize"),
     (r"dWorldsStep:(count|steps)", "Length"),
@@ -142,7 +142,7 @@ MAY_BE_NULL = [
     r"d(Bodies|Joints)[GS]etStates:(bodies|joints|out|in|value|rate)", r"dWorldGet(Bodies|Joints):(bodies|joints)",
     r"dWorldGetStateDelta:out",
     r"dWorld(Clone|CountHandles|Save|Load)\w*:space", r"dWorldClone:table", r"dWorldSaveToBuffer:buffer",
-    r"dGeomHeightfieldDataSetHoles:holes", r"dWorldDiagnose:causes", r"dDefaultsText:text", r"dWorldGetEvents:events", r"dWorldSetEventSettings:settings", r"dWorldGetContacts:contacts", r"dWorldGetContactEvents:events", r"dSpaceRayAll:hits", r"dSpaceOverlap:geoms", r"dSpaceRayBatch:(origins|directions|lengths|hits)",
+    r"dGeomHeightfieldDataSetHoles:holes", r"dWorldDiagnose:causes", r"dDefaultsText:text", r"dWorldGetEvents:events", r"d(WorldSetEventSettings|CharacterCreate):settings", r"dWorldGetContacts:contacts", r"dWorldGetContactEvents:events", r"dSpaceRayAll:hits", r"dSpaceOverlap:geoms", r"dSpaceRayBatch:(origins|directions|lengths|hits)",
     # With no elements there is nothing to point to.
     r"d(SetZero|SetValue|Dot|ScaleVector|VectorScale|FactorLDLT):(a|b|d|A)",
     r"dCooperatively\w+:(A|L|b|d|dataVector|scaleVector)",

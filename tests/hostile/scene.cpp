@@ -238,7 +238,9 @@ void Scene::build_geoms()
         dCreateConvex(spaces[1], kCube.planes.data(), 6, kCube.points.data(), 8, kCube.faces.data()),
         dCreateCone(spaces[2], 1, 2),
         dCreateEllipsoid(spaces[3], 1, dReal(0.5), 2),
-        dCreateTaperedCapsule(space, 1, dReal(0.5), 1)};
+        dCreateTaperedCapsule(space, 1, dReal(0.5), 1),
+        dCharacterCreate(space, nullptr),
+        dCharacterCreate(spaces[2], nullptr)};
     for (dGeomID g : geoms) add(Kind::kGeom, g);
     for (int i = 0; i < 4; ++i) dGeomSetBody(geoms[i], body(i));
     dGeomSetOffsetPosition(geoms[1], 0, 0, dReal(0.5));

@@ -71,6 +71,7 @@ constexpr Integer kStructSizes[] = {{sizeof(dQueryFilter), "sizeof(dQueryFilter)
                                     {sizeof(dMaterial), "sizeof(dMaterial)"},
                                     {sizeof(dDrive), "sizeof(dDrive)"},
                                     {sizeof(dEventSettings), "sizeof(dEventSettings)"},
+                                    {sizeof(dCharacterSettings), "sizeof(dCharacterSettings)"},
                                     {sizeof(dQueryFilter) - 1, "sizeof(dQueryFilter)-1"},
                                     {0, "0"},
                                     {4, "4"},
@@ -244,6 +245,37 @@ inline const std::vector<Item<dDrive>>& drives()
         {drive_with([](dDrive& d) { d.force = kNaN; }), Trait::kNaN, "force NaN"},
         {drive_with([](dDrive& d) { d.force_limit = -1; }), Trait::kStrange, "limit -1"},
         {drive_with([](dDrive& d) { d.force_limit = kNaN; }), Trait::kNaN, "limit NaN"}};
+    return list;
+}
+
+inline const std::vector<Item<dCharacterSettings>>& character_settings()
+{
+    static const auto with = [](auto change) {
+        dCharacterSettings s;
+        dCharacterSettingsInit(&s, sizeof s);
+        change(s);
+        return s;
+    };
+    static const std::vector<Item<dCharacterSettings>> list = {
+        {with([](auto&) {}), Trait::kFine, "the defaults"},
+        {with([](auto& s) { s.shape = dBoxClass; }), Trait::kFine, "a box"},
+        {with([](auto& s) { s.shape = dCylinderClass, s.max_force = 1; }), Trait::kFine, "a cylinder"},
+        {with([](auto& s) { s.step_height = s.stick_distance = 0; }), Trait::kFine, "no steps"},
+        {with([](auto& s) { s.up[0] = 3, s.up[2] = 0; }), Trait::kFine, "up along x"},
+        {with([](auto& s) { s.shape = dSphereClass; }), Trait::kBad, "a sphere"},
+        {with([](auto& s) { s.shape = INT_MIN; }), Trait::kBad, "shape INT_MIN"},
+        {with([](auto& s) { s.struct_size = 0; }), Trait::kBad, "struct_size 0"},
+        {with([](auto& s) { s.radius = 0; }), Trait::kBad, "radius 0"},
+        {with([](auto& s) { s.radius = kLarge; }), Trait::kBad, "large radius"},
+        {with([](auto& s) { s.height = s.radius; }), Trait::kBad, "too low"},
+        {with([](auto& s) { s.skin = s.radius; }), Trait::kBad, "skin as the radius"},
+        {with([](auto& s) { s.up[2] = 0; }), Trait::kBad, "up of length 0"},
+        {with([](auto& s) { s.slope_limit = 2; }), Trait::kBad, "slope 2"},
+        {with([](auto& s) { s.max_force = -1; }), Trait::kBad, "force -1"},
+        {with([](auto& s) { s.step_height = 1e5; }), Trait::kStrange, "steps of 100 km"},
+        {with([](auto& s) { s.up[1] = kNaN; }), Trait::kNaN, "up NaN"},
+        {with([](auto& s) { s.radius = kNaN; }), Trait::kNaN, "radius NaN"},
+        {with([](auto& s) { s.air_acceleration = kNaN; }), Trait::kNaN, "air NaN"}};
     return list;
 }
 

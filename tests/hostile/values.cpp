@@ -207,6 +207,12 @@ int Values::count(Kind kind)
             return int(event_settings().size()) + 1;
         case Kind::kEventSettingsBuffer:
             return int(reports<dEventSettings>().size()) + 1;
+        case Kind::kCharacterSettings:
+            return int(character_settings().size()) + 1;
+        case Kind::kCharacterSettingsBuffer:
+            return int(reports<dCharacterSettings>().size()) + 1;
+        case Kind::kCharacterReport:
+            return int(reports<dCharacterReport>().size()) + 1;
         case Kind::kContact:
             return int(hostile::contacts().size()) + 1;
         case Kind::kGeomClass:
@@ -410,6 +416,12 @@ Value Values::memory(Kind kind, int index, int position)
             return item(event_settings());
         case Kind::kEventSettingsBuffer:
             return item(reports<dEventSettings>());
+        case Kind::kCharacterSettings:
+            return item(character_settings());
+        case Kind::kCharacterSettingsBuffer:
+            return item(reports<dCharacterSettings>());
+        case Kind::kCharacterReport:
+            return item(reports<dCharacterReport>());
         case Kind::kContact:
             return item(hostile::contacts());
         case Kind::kGeomClass:

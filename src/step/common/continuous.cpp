@@ -236,8 +236,8 @@ Mover Continuous::mover(Geom& geom, int body) const
 // Has what does not depend on their motion nothing against it?
 bool Continuous::stops(Geom& a, Geom& b) const
 {
-    if (&a == &b || of_one_body(a, b) || a.sensor || b.sensor || a.character ||
-        b.character || b.continuous == dContinuousIgnored)
+    if (&a == &b || of_one_body(a, b) || a.sensor || b.sensor || a.character || b.character ||
+        b.continuous == dContinuousIgnored)
         return false;
     return a.continuous != dContinuousIgnored && !overridden(a, b);
 }

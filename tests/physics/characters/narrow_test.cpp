@@ -56,7 +56,9 @@ TEST_P(Narrow, stops_in_an_acute_corner_and_gets_out_of_it)
 struct Rubble {
     explicit Rubble(Stage& stage, unsigned seed) : random(seed)
     {
-        const auto bump = [](double x, double y) { return 0.6 * std::sin(1.7 * x) * std::cos(1.3 * y) - 0.2; };
+        const auto bump = [](double x, double y) {
+            return 0.6 * std::sin(1.7 * x) * std::cos(1.3 * y) - 0.2;
+        };
         all.push_back(stage.grid(24, 12, bump));
         for (int i = 0; i < 40; ++i) {
             const V centre = {at(5.5), at(5.5), at(1) + 0.8};
@@ -132,12 +134,13 @@ TEST_P(Narrow, keeps_to_height_fields)
     Stage stage;
     std::vector<float> heights(33 * 33);
     for (int i = 0; i < 33; ++i)
-        for (int j = 0; j < 33; ++j) heights[std::size_t(33 * i + j)] = float(0.3 * std::sin(0.7 * i) * std::cos(0.5 * j));
+        for (int j = 0; j < 33; ++j)
+            heights[std::size_t(33 * i + j)] = float(0.3 * std::sin(0.7 * i) * std::cos(0.5 * j));
     const dHeightfieldDataID data = dGeomHeightfieldDataCreate();
     dGeomHeightfieldDataBuildSingle(data, heights.data(), 0, 16, 16, 33, 33, 1, 0, 1, 0);
     const dGeomID field = dCreateHeightfield(stage.space, data, 1);
     dMatrix3 R;
-    dRFromAxisAndAngle(R, 1, 0, 0, dReal(M_PI / 2));
+    dRFromAxisAndAngle(R, 1, 0, 0, dReal(1.5707963267948966));
     dGeomSetRotation(field, R);
     const dGeomID c = stage.add({0, 0, 1}, settings());
     for (int i = 0; i * h() < 1; ++i) walk(c, {}, 0, h());

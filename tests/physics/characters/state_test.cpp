@@ -33,7 +33,8 @@ struct Course : Stage {
             // Along a square, for the cosine is not the same everywhere.
             const int side = i / 25 % 4, way = side < 2 ? 1 : -1;
             if (i % 50 == 20) dCharacterSetHeight(first, i % 100 == 20 ? dReal(1.1) : dReal(1.8));
-            walk(first, {side % 2 ? 0.3 : 2.5 * way, side % 2 ? 2.5 * way : -0.2, 0}, i % 40 == 7 ? 4 : 0, kH);
+            walk(first, {side % 2 ? 0.3 : 2.5 * way, side % 2 ? 2.5 * way : -0.2, 0}, i % 40 == 7 ? 4 : 0,
+                 kH);
             walk(second, {2, i / 60 % 2 ? 0.5 : -0.4, 0}, 0, kH);
             dWorldStep(world, dReal(kH));
         }
@@ -148,19 +149,17 @@ TEST(CharacterStates, of_a_world_without_characters_are_refused)
     dSetDebugHandler(nullptr);
 }
 
+#ifdef dIDEDOUBLE
 TEST(CharacterBits, are_the_same_everywhere)
 {
     for (const int threads : {1, 3}) {
         Course a(0);  // without the solvers, which have hashes of their own
         dWorldSetStepThreads(a.world, threads);
         a.steps(0, 400);
-#ifdef dIDEDOUBLE
-        EXPECT_EQ(hash_of({a.first, a.second}), 0u);
-#else
-        EXPECT_EQ(hash_of({a.first, a.second}), 0u);
-#endif
+        EXPECT_EQ(hash_of({a.first, a.second}), 2025191559834673348u);
     }
 }
+#endif
 
 }  // namespace
 }  // namespace epode::characters
