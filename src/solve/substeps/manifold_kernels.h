@@ -62,8 +62,9 @@ struct ManifoldKernels {
                   FloatMotion* motions, const ManifoldSweep& sweep);
     // Writes to along1 and along2 each point's part of the sum of batch.friction (contact_friction.inc).
     void (*share_friction)(const ManifoldBatch& batch, BroadLanes* along1, BroadLanes* along2);
-    // Above 0 in the lanes that a blow has struck (manifold_math.inc).
-    void (*find_blows)(const ManifoldBatch& batch, const ManifoldLanes* points, BroadLanes& struck);
+    // Above 0 in the lanes that a blow has struck (manifold_math.inc). `motions`: at the end.
+    void (*find_blows)(const ManifoldBatch& batch, const ManifoldLanes* points, FloatMotion* motions,
+                       BroadLanes& struck);
     // For the bodies first ... last - 1: velocities to floats, and the changes of sweeps back.
     void (*load_velocities)(const ManifoldBodies& bodies, int first, int last);
     void (*take_changes)(const ManifoldBodies& bodies, int first, int last);

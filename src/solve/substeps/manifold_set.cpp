@@ -499,7 +499,7 @@ void ManifoldSet::store_impulses(std::span<ContactManifold* const> manifolds) co
         BroadLanes along1[kManifoldPoints], along2[kManifoldPoints], struck;
         const ManifoldBatch& batch = batches_[b];
         if (batch.friction) kernels_->share_friction(batch, along1, along2);
-        kernels_->find_blows(batch, points_.data() + batch.first, struck);
+        kernels_->find_blows(batch, points_.data() + batch.first, motions_.data(), struck);
         for (int lane = 0; lane < batch.lanes; ++lane) {
             const int index = chosen_[b * kBroadLanes + std::size_t(lane)];
             if (index < 0) continue;

@@ -11,7 +11,7 @@
 // What rests begins with a velocity near zero and carries g h in a step. Friction without end may strike, too, in
 // a single point of the world: where it exceeds the normal impulse, the part of it that ended a slip counts. (It
 // turned a rod into the floor, which had no more than a tenth of its normal impulse from its approach; the rod
-// gained 6 % in the next step.) Here for contact joints; contacts of the world by
+// gained 6 % in the next step.) What slides on has ended no slip. Here for contact joints; contacts of the world by
 // solve/substeps/manifold_math.inc.
 #pragma once
 
