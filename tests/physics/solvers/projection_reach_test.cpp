@@ -23,17 +23,21 @@ TEST(ProjectionReach, leaves_crates_between_rams)
         const dBodyID rams[] = {sim.box({-1, 0, 1.05}, {0.2, 2, 2}, 1),
                                 sim.box({1, 0, 1.05}, {0.2, 2, 2}, 1)};
         for (const dBodyID ram : rams) dBodySetKinematic(ram);
-        double highest = 0, fastest = 0;
+        double highest = 0, fastest = 0, jump = 0;
         for (double t = 0; t < 3; t += h) {
             const double speed = t < 1.75 ? 0.2 : -1;
             velocity(rams[0], {speed, 0, 0}), velocity(rams[1], {-speed, 0, 0});
+            V3 before[3];
+            for (int i = 0; i < 3; ++i) before[i] = position(sim.bodies[std::size_t(i)]);
             ASSERT_TRUE(dWorldStepHybrid(sim.world, real(h)));
             for (int i = 0; i < 3; ++i) {
                 highest = std::max(highest, position(sim.bodies[std::size_t(i)]).z);
+                jump = std::max(jump, length(position(sim.bodies[std::size_t(i)]) - before[i]));
                 fastest = std::max(fastest, length(velocity(sim.bodies[std::size_t(i)])));
             }
         }
-        EXPECT_LT(highest, 0.5) << h;
+        EXPECT_LT(highest, 0.8) << h;  // one may slip up, and lie on others
+        EXPECT_LT(jump, 0.1) << h;
         EXPECT_LT(fastest, 2) << h;
     }
 }

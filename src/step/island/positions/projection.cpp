@@ -236,15 +236,18 @@ class Projection {
         return false;
     }
 
-    // Contacts follow the motion to first order: no farther than a share of the lever.
+    // Contacts follow the motion to first order, a share of the lever; what lies on others moves by the errors of all.
     bool is_within_reach() const
     {
+        Real errors = 0;
+        for (const Hold& hold : holds_) errors += hold.follows ? std::fabs(hold.error) : 0;
         for (std::size_t k = 0; k < system_.blocks.size(); ++k) {
             const RowBlock& block = system_.blocks[k];
             if (!block.contact) continue;
-            const Real arm = longest_arm(work_, work_.system.blocks[std::size_t(from_[k])]);
+            const Real reach =
+                kReach * longest_arm(work_, work_.system.blocks[std::size_t(from_[k])]) + errors;
             for (const int at : {block.body1, block.body2})
-                if (at >= 0 && length(system_.bodies[std::size_t(at)].v) > kReach * arm) return false;
+                if (at >= 0 && length(system_.bodies[std::size_t(at)].v) > reach) return false;
         }
         return true;
     }
