@@ -115,7 +115,7 @@ double conical_bound(const Setting& setting)
 }
 double tension_bound(const Setting& setting)
 {
-    return (setting.method == Method::kSubsteps ? 10 : 3) * 60 * setting.h();
+    return (setting.method == Method::kSubsteps ? 12 : 3) * 60 * setting.h();
 }
 
 // A crate of 800 kg on eight links of 2 kg is lifted by 1 m, stopped, held.
