@@ -458,6 +458,36 @@ int dRobotSetTarget(dRobotID robot, int joint, dReal target, dReal stiffness, dR
     return 1;
 }
 
+int dRobotModelGetNumMocap(dRobotModelID model)
+{
+    model = alive(model);
+    CHECK(model, "a model");
+    return int(model->model.mocap_links().size());
+}
+
+int dRobotModelGetMocap(dRobotModelID model, int number)
+{
+    model = alive(model);
+    const std::vector<int> all = model ? model->model.mocap_links() : std::vector<int>();
+    if (check(number >= 0 && number < int(all.size()), __func__, "a model and a number below dRobotModelGetNumMocap"))
+        return all[size_t(number)];
+    return -1;
+}
+
+int dRobotSetMocap(dRobotID robot, int link, const dReal* position, const dReal* q)
+{
+    robot = alive(robot);
+    CHECK(robot && link > 0 && link < int(robot->robot->model().links.size()) &&
+              robot->robot->model().links[size_t(link)].is_mocap,
+          "a robot and the number of a link that the program moves (mocap)");
+    const bool has_turn = q && (q[0] != 0 || q[1] != 0 || q[2] != 0 || q[3] != 0);
+    CHECK((!position || are_usable(position, 3)) && (!q || (are_usable(q, 4) && has_turn)), "a finite pose");
+    Pose pose = robot->robot->link_pose(link);
+    if (position) pose.p = {double(position[0]), double(position[1]), double(position[2])};
+    if (q) pose.q = epode::robots::normalised({double(q[0]), double(q[1]), double(q[2]), double(q[3])});
+    return robot->robot->set_mocap(link, pose);
+}
+
 int dRobotAddFluidForces(dRobotID robot, dReal stepsize)
 {
     robot = alive(robot);

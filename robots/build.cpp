@@ -8,6 +8,7 @@
 #include <ode/ext.h>
 
 #include <algorithm>
+#include <map>
 
 #include "robots/body_poses.h"
 #include "robots/inertia.h"
@@ -19,6 +20,8 @@ namespace {
 
 // Of a body between two joints, as a share of the link that it serves: motion differs by that much.
 constexpr double kSmallShare = 1e-6;
+// 1/s: how fast a limit takes back what is beyond it, as MuJoCo's by default at its fastest, 1/(e 20 ms).
+constexpr double kStopRate = 20;
 constexpr double kSmallRadius =
     0.01;  // m, about which a small body's mass is spread, if its link has no inertia
 
@@ -43,6 +46,7 @@ void set_touch(dGeomID geom, const Shape& shape, const Spring& spring, bool larg
         material.damping_time = dReal(spring.damping / spring.stiffness);
     }
     if (largest_friction) material.friction_rule = dCombineMaximum;
+    material.priority = shape.priority;
     dGeomSetMaterial(geom, &material);
 }
 
@@ -75,6 +79,7 @@ Robot::Robot(std::shared_ptr<const Prepared> prepared, dWorldID world, dSpaceID 
       controls_(model().actuators.size(), 0),
       activations_(model().actuators.size(), 0),
       inputs_(model().actuators.size(), 0),
+      pulls_(model().actuators.size(), 0),
       servos_(model().joints.size())
 {
     try {
@@ -88,12 +93,16 @@ Robot::Robot(std::shared_ptr<const Prepared> prepared, dWorldID world, dSpaceID 
 
 void Robot::make(dWorldID world, dSpaceID space)
 {
+    world_ = world;
     reference_ = forward_kinematics(model(), reference_positions(model()));
     for (Pose& pose : reference_) pose = placement_ * pose;
     make_bodies(world);
+    make_still_bodies(world);
     make_joints(world);
     for (const Closure& closure : model().closures) make_closure(world, closure);
     for (const auto& pair : model().excluded) exclude(world, pair[0], pair[1]);
+    for (const auto& pair : model().excluded_still)
+        keep_apart(world, body(pair[0]), still_.empty() ? body(0) : still_[size_t(pair[1]) - 1]);
     for (const auto& pair : prepared_->overlapping()) exclude(world, pair[0], pair[1]);
     for (size_t i = 0; i < model().links.size(); ++i)
         for (const Shape& shape : model().links[i].shapes) make_shape(space, int(i), shape);
@@ -128,7 +137,7 @@ void Robot::make_bodies(dWorldID world)
         if (!body) continue;
         bodies_[i] = body;
         all_bodies_.push_back(body);
-        if (i == 0) {
+        if (i == 0 || link.is_mocap) {
             dBodySetKinematic(body);
         } else if (link.mass > 0) {
             set_mass(body, link.mass,
@@ -141,6 +150,26 @@ void Robot::make_bodies(dWorldID world)
         if (link.is_weightless) dBodySetGravityMode(body, 0);
         place(body, reference_[i], link.centre);
     }
+}
+
+void Robot::make_still_bodies(dWorldID world)
+{
+    if (bodies_[0]) return;
+    for (size_t i = 0; i < model().still.size(); ++i) {
+        const dBodyID its = dBodyCreate(world);
+        still_.push_back(its);
+        if (!its) continue;
+        all_bodies_.push_back(its);
+        dBodySetKinematic(its);
+        place(its, reference_[0], {});
+    }
+}
+
+// 0: the shape stands in the world by itself.
+dBodyID Robot::carrier(int link, const Shape& shape) const
+{
+    const bool is_apart = shape.still > 0 && !still_.empty() && shape.kind != ShapeKind::kPlane;
+    return is_apart ? still_[size_t(shape.still) - 1] : body(link);
 }
 
 dBodyID Robot::make_small_body(dWorldID world, int number)
@@ -160,11 +189,14 @@ dBodyID Robot::make_small_body(dWorldID world, int number)
 void Robot::make_joints(dWorldID world)
 {
     joints_.assign(model().joints.size(), nullptr);
+    turns_.assign(model().joints.size(), nullptr);
+    movers_.assign(model().links.size(), 0);
     holders_.assign(model().links.size(), nullptr);
     for (size_t i = 1; i < model().links.size(); ++i) {
         const Link& link = model().links[i];
         dBodyID parent = bodies_[size_t(link.parent)];
-        if (link.joints.empty()) {
+        movers_[i] = link.is_mocap ? int(i) : movers_[size_t(link.parent)];
+        if (link.joints.empty() && !link.is_mocap) {
             const dJointID fixed = dJointCreateFixed(world, nullptr);
             if (!fixed) continue;
             dJointAttach(fixed, bodies_[i], parent);
@@ -179,6 +211,8 @@ void Robot::make_joints(dWorldID world)
             const size_t number = size_t(link.joints[k]);
             joints_[number] = make_joint(world, int(number), child, parent, reference_[i]);
             if (joints_[number]) all_joints_.push_back(joints_[number]);
+            if ((turns_[number] = make_turn(world, int(number), child, parent)))
+                all_joints_.push_back(turns_[number]);
             holders_[i] = joints_[number];
             parent = child;
         }
@@ -215,6 +249,28 @@ dJointID Robot::make_joint(dWorldID world, int number, dBodyID child, dBodyID pa
     return its;
 }
 
+// Where something acts on the turn of a ball.
+dJointID Robot::make_turn(dWorldID world, int number, dBodyID child, dBodyID parent) const
+{
+    const Joint& joint = model().joints[size_t(number)];
+    if (joint.kind != JointKind::kBall) return nullptr;
+    const bool is_driven =
+        std::any_of(model().actuators.begin(), model().actuators.end(), [&](const Actuator& a) { return a.joint == number; });
+    if (!is_driven && !joint.limited && joint.stiffness <= 0 && joint.damping <= 0 && joint.armature <= 0 &&
+        joint.friction <= 0)
+        return nullptr;
+    const dJointID its = dJointCreateAMotor(world, nullptr);
+    if (!its) return nullptr;
+    dJointAttach(its, child, parent);
+    dJointSetAMotorMode(its, dAMotorTurn);
+    if (!joint.limited) return its;
+    dJointSetAMotorParam(its, dParamHiStop, dReal(std::max(joint.low, joint.high)));
+    dJointSetStopRate(its, 0, dReal(kStopRate));
+    const Spring spring = prepared_->springs().of_limit(model(), number);
+    if (spring.stiffness > 0) dJointSetStopSpring(its, 0, dReal(spring.stiffness), dReal(spring.damping));
+    return its;
+}
+
 void Robot::set_limits(int number, dJointID its) const
 {
     const Joint& joint = model().joints[size_t(number)];
@@ -228,6 +284,7 @@ void Robot::set_limits(int number, dJointID its) const
         dJointSetHingeParam(its, dParamLoStop, dReal(low));
         dJointSetHingeParam(its, dParamHiStop, dReal(high));
     }
+    dJointSetStopRate(its, 0, dReal(kStopRate));
     const Spring spring = prepared_->springs().of_limit(model(), number);
     if (spring.stiffness > 0) dJointSetStopSpring(its, 0, dReal(spring.stiffness), dReal(spring.damping));
 }
@@ -259,7 +316,11 @@ void Robot::make_closure(dWorldID world, const Closure& closure)
 
 void Robot::exclude(dWorldID world, int link1, int link2)
 {
-    const dBodyID one = body(link1), two = body(link2);
+    keep_apart(world, body(link1), body(link2));
+}
+
+void Robot::keep_apart(dWorldID world, dBodyID one, dBodyID two)
+{
     if (!one || !two || one == two || dAreConnected(one, two)) return;
     const dJointID motor = dJointCreateAMotor(world, nullptr);
     if (!motor) return;
@@ -281,7 +342,7 @@ void Robot::add_geom(dGeomID geom, int number, const Shape& shape)
 {
     if (!geom) return;
     const Link& link = model().links[size_t(number)];
-    const dBodyID its = body(number);
+    const dBodyID its = carrier(number, shape);
     geoms_.push_back(geom);
     colors_.push_back({shape.color[0], shape.color[1], shape.color[2]});
     const Pose offset = (its ? Pose{-link.centre, {}} : reference_[size_t(number)]) * geom_pose(shape);
@@ -306,6 +367,51 @@ void Robot::add_looks(dSpaceID space)
             make_shape(space, int(i), look);
         }
     }
+}
+
+Robot::Robot(const Robot& like, int)
+    : prepared_(like.prepared_),
+      placement_(like.placement_),
+      reference_(like.reference_),
+      bodies_(like.bodies_),
+      all_bodies_(like.all_bodies_),
+      joints_(like.joints_),
+      turns_(like.turns_),
+      tendons_(like.tendons_),
+      all_joints_(like.all_joints_),
+      holders_(like.holders_),
+      still_(like.still_),
+      movers_(like.movers_),
+      world_(like.world_),
+      geoms_(like.geoms_),
+      colors_(like.colors_),
+      small_(like.small_),
+      controls_(like.controls_),
+      activations_(like.activations_),
+      inputs_(like.inputs_),
+      filters_act_(like.filters_act_),
+      pulls_(like.pulls_),
+      servos_(like.servos_)
+{}
+
+std::unique_ptr<Robot> Robot::counterpart(const std::vector<dBodyID>& bodies, const std::vector<dJointID>& joints,
+                                          const std::vector<dGeomID>& geoms) const
+{
+    if (bodies.size() != all_bodies_.size() || joints.size() != all_joints_.size() ||
+        geoms.size() != geoms_.size() || bodies.empty())
+        return nullptr;
+    std::unique_ptr<Robot> out(new Robot(*this, 0));
+    std::map<dBodyID, dBodyID> body_for;
+    std::map<dJointID, dJointID> joint_for;
+    for (size_t i = 0; i < bodies.size(); ++i) body_for[all_bodies_[i]] = bodies[i];
+    for (size_t i = 0; i < joints.size(); ++i) joint_for[all_joints_[i]] = joints[i];
+    for (auto* all : {&out->bodies_, &out->still_, &out->all_bodies_})
+        for (dBodyID& one : *all) one = one ? body_for[one] : nullptr;
+    for (auto* all : {&out->joints_, &out->turns_, &out->tendons_, &out->holders_, &out->all_joints_})
+        for (dJointID& one : *all) one = one ? joint_for[one] : nullptr;
+    for (Small& small : out->small_) small.body = body_for[small.body];
+    out->geoms_ = geoms, out->world_ = dBodyGetWorld(bodies[0]);
+    return out;
 }
 
 void Robot::release()

@@ -97,6 +97,16 @@ class Robot {
 
     // Adds what links without shapes look like, as geoms that touch nothing.
     void add_looks(dSpaceID space);
+    // The same robot made of other bodies, joints and geoms, in the order of all_bodies(), all_joints() and geoms(): of those of a copy of
+    // its world. Null: not as many.
+    std::unique_ptr<Robot> counterpart(const std::vector<dBodyID>& bodies, const std::vector<dJointID>& joints,
+                                       const std::vector<dGeomID>& geoms) const;
+    // Puts a body that the program moves at a pose in the world. False: of a link that is none.
+    bool set_mocap(int link, const Pose& pose);
+    Pose link_pose(int link) const;  // in the world
+    // The angular motor of a ball with limits, drives or actuators (dAMotorTurn); 0: none.
+    dJointID turn(int joint) const { return turns_[size_t(joint)]; }
+
     // Forgets bodies, joints and geoms: their world and space have been or will be destroyed with all in them.
     void release();
 
@@ -134,7 +144,15 @@ class Robot {
   private:
     void make(dWorldID world, dSpaceID space);
     void destroy();
+    Robot(const Robot& like, int);  // all of it, handles too
     void make_bodies(dWorldID world);
+    void make_still_bodies(dWorldID world);
+    dBodyID carrier(int link, const Shape& shape) const;
+    dJointID make_turn(dWorldID world, int number, dBodyID child, dBodyID parent) const;
+    void set_turn_drive(int number);
+    int add_lifts() const;
+    // Of a link the model's world, where what carries the link has been moved by the program.
+    Pose frame_of(int link) const;
     void make_shape(dSpaceID space, int link, const Shape& shape);
     void add_geom(dGeomID geom, int link, const Shape& shape);
     void make_joints(dWorldID world);
@@ -144,6 +162,7 @@ class Robot {
     dJointID make_coupling(dWorldID world, const std::vector<Coupling::Term>& terms, double low, double high);
     void make_couplings(dWorldID world);
     void exclude(dWorldID world, int link1, int link2);
+    void keep_apart(dWorldID world, dBodyID one, dBodyID two);
     // What acts on a coordinate or on a tendon's sum.
     struct Passive {
         dJointID id;
@@ -152,6 +171,7 @@ class Robot {
     // step_forces.cpp
     bool is_filtered(size_t actuator) const;
     int move_filters(double stepsize);
+    bool moves_path(const Actuator& actuator) const;  // of a spatial tendon
     int add_tendon_forces(double stepsize);
     struct Pull;  // of a spatial tendon
     std::vector<Pull> pulls(double stepsize) const;
@@ -166,6 +186,19 @@ class Robot {
     Vec velocity_at(int link, Vec point) const;
     std::vector<Pose> link_poses() const;  // in the world
     void set_drive_of(const Actuator& actuator);
+    // What a unit of the length and of its rate takes off an actuator's force at its present input.
+    struct Slope {
+        double position, velocity;
+        bool is_servo() const { return position != 0 || velocity != 0; }
+    };
+    Slope slope_of(size_t actuator) const
+    {
+        const Actuator& a = model().actuators[actuator];
+        return {a.bias_position - a.gain_position * inputs_[actuator],
+                a.bias_velocity - a.gain_velocity * inputs_[actuator]};
+    }
+    double clamped_force(size_t actuator) const;  // without those two
+    int move_muscles();
     void make_drives();
     bool can_be_control(size_t actuator, double value) const;
     bool is_state(const std::vector<double>& numbers) const;
@@ -193,13 +226,17 @@ class Robot {
     Pose placement_;
     std::vector<Pose> reference_;  // of links, in the world
     std::vector<dBodyID> bodies_, all_bodies_;
-    std::vector<dJointID> joints_, tendons_, all_joints_, holders_;
+    std::vector<dJointID> joints_, turns_, tendons_, all_joints_, holders_;
+    std::vector<dBodyID> still_;  // of RobotModel::still; empty where the world's link has a body
+    std::vector<int> movers_;     // of links: the one that the program moves, on which they hang; 0: none
+    dWorldID world_ = nullptr;
     std::vector<dGeomID> geoms_;
     std::vector<std::array<float, 3>> colors_;
     std::vector<Small> small_;
     std::vector<double> controls_, activations_;
     std::vector<double> inputs_;  // what acts: controls, or activations of filters
     bool filters_act_ = false;    // since add_forces or set_activation was called
+    std::vector<double> pulls_;   // of muscles, what they exerted at the last call of add_forces
     std::vector<Servo> servos_;
 };
 

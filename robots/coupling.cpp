@@ -70,12 +70,11 @@ std::vector<std::string> Robot::not_built(const RobotModel& model)
     for (const Tendon& tendon : model.tendons)
         if (tendon.path.empty() && !can_couple(model, tendon.terms))
             out.push_back(line("the tendon '" + tendon.name + "'", tendon.line));
-    for (const Joint& joint : model.joints) {
-        const bool is_driven =
-            joint.limited || joint.stiffness > 0 || joint.damping > 0 || joint.friction > 0;
-        if (joint.kind == JointKind::kBall && is_driven)
-            out.push_back(line("limit or drive of the ball joint '" + joint.name + "'", joint.line));
-    }
+    for (const auto& pair : model.excluded_still)
+        for (const Shape& shape : model.links[0].shapes)
+            if (shape.kind == ShapeKind::kPlane && shape.still == pair[1])
+                out.push_back("that the plane of '" + model.still[size_t(pair[1]) - 1] + "' does not touch '" +
+                              model.links[size_t(pair[0])].name + "' is not built");
     return out;
 }
 

@@ -29,15 +29,15 @@ void stop_at(dBodyID body, const Pose& pose)
     dBodySetAngularVel(body, 0, 0, 0);
 }
 
-// A motor's force is clamped here, once; a servo's by the drive's own limit.
-double clamped_force(const Actuator& actuator, double control)
-{
-    const double force = actuator.gain * control + actuator.bias;
-    const bool is_motor = actuator.bias_position == 0 && actuator.bias_velocity == 0;
-    return is_motor ? std::clamp(force, actuator.force_low, actuator.force_high) : force;
-}
-
 }  // namespace
+
+// A motor's force is clamped here, once; a servo's by the drive's own limit.
+double Robot::clamped_force(size_t number) const
+{
+    const Actuator& a = model().actuators[number];
+    const double force = a.muscle.acts ? pulls_[number] : a.gain * inputs_[number] + a.bias;
+    return slope_of(number).is_servo() ? force : std::clamp(force, a.force_low, a.force_high);
+}
 
 // Small bodies stand where the joints before them have taken their link: the later ones are at the reference.
 std::vector<double> Robot::held(const Small& small, std::vector<double> positions) const
@@ -52,15 +52,42 @@ std::vector<double> Robot::held(const Small& small, std::vector<double> position
     return positions;
 }
 
+Pose Robot::frame_of(int link) const
+{
+    const int mover = movers_[size_t(link)];
+    if (mover == 0) return placement_;
+    const Link& its = model().links[size_t(mover)];
+    return pose_of(body(mover)) * Pose{-its.centre, {}} * inverse(its.pose);
+}
+
+Pose Robot::link_pose(int link) const
+{
+    const dBodyID its = body(link);
+    return its ? pose_of(its) * Pose{-model().links[size_t(link)].centre, {}} : placement_;
+}
+
+bool Robot::set_mocap(int link, const Pose& pose)
+{
+    if (link <= 0 || link >= int(bodies_.size()) || !model().links[size_t(link)].is_mocap) return false;
+    const dBodyID its = body(link);
+    set_pose(its, pose * Pose{model().links[size_t(link)].centre, {}});
+    for (int i = 0; i < dBodyGetNumJoints(its); ++i)
+        for (int side = 0; side < 2; ++side)
+            if (const dBodyID other = dJointGetBody(dBodyGetJoint(its, i), side); other && !dBodyIsKinematic(other))
+                dBodyEnable(other);
+    return true;
+}
+
 void Robot::set_positions(const std::vector<double>& positions)
 {
     if (positions.size() != size_t(model().coordinates)) return;
     const std::vector<Pose> poses = forward_kinematics(model(), positions);
     for (size_t i = 1; i < poses.size(); ++i)
-        if (bodies_[i]) stop_at(bodies_[i], placement_ * poses[i] * Pose{model().links[i].centre, {}});
+        if (bodies_[i] && !model().links[i].is_mocap)
+            stop_at(bodies_[i], frame_of(int(i)) * poses[i] * Pose{model().links[i].centre, {}});
     for (const Small& small : small_) {
         const Pose pose = forward_kinematics(model(), held(small, positions))[size_t(small.link)];
-        stop_at(small.body, placement_ * pose * Pose{model().links[size_t(small.link)].centre, {}});
+        stop_at(small.body, frame_of(small.link) * pose * Pose{model().links[size_t(small.link)].centre, {}});
     }
     for (size_t i = 0; i < joints_.size(); ++i) {  // where all bodies are
         const Joint& joint = model().joints[i];
@@ -106,8 +133,9 @@ void Robot::set_velocity(dBodyID its, int number, const Motion& motion) const
     const Link& link = model().links[size_t(number)];
     const LinkVelocity v = motion.velocities[size_t(number)];
     const Quat turn = motion.poses[size_t(number)].q;
-    const Vec w = rotate(placement_.q, v.angular);
-    const Vec c = rotate(placement_.q, v.linear + cross(v.angular, rotate(turn, link.centre)));
+    const Quat its_frame = frame_of(number).q;
+    const Vec w = rotate(its_frame, v.angular);
+    const Vec c = rotate(its_frame, v.linear + cross(v.angular, rotate(turn, link.centre)));
     dBodySetLinearVel(its, dReal(c.x), dReal(c.y), dReal(c.z));
     dBodySetAngularVel(its, dReal(w.x), dReal(w.y), dReal(w.z));
 }
@@ -119,7 +147,7 @@ void Robot::set_velocities(const std::vector<double>& velocities)
     const std::vector<double> q = positions();
     const Motion motion = motion_of(q, velocities);
     for (size_t i = 1; i < bodies_.size(); ++i)
-        if (bodies_[i]) set_velocity(bodies_[i], int(i), motion);
+        if (bodies_[i] && !model().links[i].is_mocap) set_velocity(bodies_[i], int(i), motion);
     for (const Small& small : small_) {
         const Link& link = model().links[size_t(small.link)];
         std::vector<double> partial = velocities;
@@ -168,11 +196,42 @@ void Robot::set_joint_drive(int number)
 {
     const Joint& joint = model().joints[size_t(number)];
     const Servo& servo = servos_[size_t(number)];
+    if (joint.kind == JointKind::kBall) return set_turn_drive(number);
     if (!joint.is_scalar()) return;
     const double limit = servo.stiffness > 0 || servo.damping > 0 ? joint.max_force : kInfinity;
     set_drive({joints_[size_t(number)], joint.reference, joint.stiffness, joint.spring_reference,
                joint.damping, joint.armature, joint.friction},
               servo, limit, number, -1);
+}
+
+// Of a ball: a drive along each of the link's axes. With the rotation vector r an actuator with the gear g exerts
+// g (G u + b0 - bp g.r - bv g.w); of one with bp or bv g has one component alone.
+void Robot::set_turn_drive(int number)
+{
+    const dJointID its = turns_[size_t(number)];
+    if (!its) return;
+    const Joint& joint = model().joints[size_t(number)];
+    for (int axis = 0; axis < 3; ++axis) {
+        double k = 0, d = 0, force = 0, limit = kInfinity;
+        for (size_t i = 0; i < model().actuators.size(); ++i) {
+            const Actuator& a = model().actuators[i];
+            const double g = a.joint == number ? a.direction[axis] : 0;
+            if (g == 0) continue;
+            const Slope slope = slope_of(i);
+            k += g * g * slope.position, d += g * g * slope.velocity;
+            force += g * clamped_force(i);
+            if (slope.is_servo())
+                limit = std::min(limit, std::fabs(g) * std::max(-a.force_low, a.force_high));
+        }
+        dDrive drive;
+        dDriveInit(&drive, sizeof drive);
+        k += joint.stiffness;
+        drive.stiffness = dReal(std::max(0.0, k)), drive.damping = dReal(std::max(0.0, d) + joint.damping);
+        drive.armature = dReal(joint.armature), drive.friction = dReal(joint.friction);
+        drive.target = dReal(k > 0 ? force / k : 0), drive.force = dReal(k > 0 ? 0 : force);
+        if (limit > 0 && limit < kInfinity) drive.force_limit = dReal(limit);
+        dJointSetDrive(its, axis, &drive);
+    }
 }
 
 void Robot::set_drives()
@@ -190,6 +249,25 @@ void Robot::set_tendon_drive(int number)
     set_drive({tendons_[size_t(number)], r, tendon.stiffness, prepared_->rests()[size_t(number)][0],
                tendon.damping, 0, 0},
               {}, kInfinity, -1, number);
+}
+
+int Robot::add_lifts() const
+{
+    int count = 0;
+    dVector3 g;
+    dWorldGetGravity(world_, g);
+    for (size_t i = 1; i < bodies_.size(); ++i) {
+        const dBodyID its = bodies_[i];
+        const Link& link = model().links[i];
+        if (link.lifts.empty() || !its || !dBodyIsEnabled(its) || dBodyIsKinematic(its)) continue;
+        const Pose at = pose_of(its) * Pose{-link.centre, {}};
+        for (const Lift& lift : link.lifts) {
+            const Vec force = (-lift.share * lift.mass) * vec_of(g);
+            add_force(its, force, cross(at * lift.centre - vec_of(dBodyGetPosition(its)), force));
+            ++count;
+        }
+    }
+    return count;
 }
 
 // Added to what the program's own forces have gathered. Bodies that sleep or are moved by the program have none.
@@ -228,9 +306,10 @@ void Robot::set_drive(const Passive& passive, const Servo& servo, double limit, 
         const Actuator& a = model().actuators[i];
         if (joint >= 0 ? a.joint != joint : a.tendon != tendon) continue;
         const double g = a.gear;
-        k += g * g * a.bias_position, d += g * g * a.bias_velocity;
-        const bool is_servo = a.bias_position != 0 || a.bias_velocity != 0;
-        (is_servo ? sum : motors) += g * (clamped_force(a, inputs_[i]) - a.bias_position * g * r);
+        const Slope slope = slope_of(i);
+        k += g * g * slope.position, d += g * g * slope.velocity;
+        const bool is_servo = slope.is_servo();
+        (is_servo ? sum : motors) += g * (clamped_force(i) - slope.position * g * r);
         if (is_servo) limit = std::min({limit, largest, std::fabs(g) * std::max(-a.force_low, a.force_high)});
     }
     sum += std::clamp(motors, -largest, largest);

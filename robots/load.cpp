@@ -145,12 +145,28 @@ void judge_masses(RobotModel& model, const LoadOptions& options)
     }
 }
 
+// A link of which nothing is pulled is simply weightless.
+void simplify_lifts(RobotModel& model)
+{
+    for (Link& link : model.links) {
+        double sum = 0;
+        for (const Lift& lift : link.lifts) sum += lift.share == 1 ? lift.mass : 0;
+        if (link.lifts.empty() || !(std::fabs(sum - link.mass) <= 1e-12 * link.mass)) continue;
+        link.is_weightless = true, link.lifts.clear();
+    }
+    for (const Link& link : model.links)
+        if (!link.lifts.empty())
+            return add(model, Note::kChanged, link.line,
+                       "shares of gravity (gravcomp) act where dRobotAddForces is called before a step");
+}
+
 void finish(RobotModel& model, const LoadOptions& options)
 {
     judge_numbers(model);
     if (model.has_errors()) return;
     if (model.format == "URDF") fix_weightless_base(model);
     if (!options.keep_fixed) merge_fixed_links(model);
+    simplify_lifts(model);
     judge_masses(model, options);
 }
 

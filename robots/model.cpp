@@ -60,6 +60,14 @@ const char* name_of(Note note)
     return names[int(note)];
 }
 
+std::vector<int> RobotModel::mocap_links() const
+{
+    std::vector<int> out;
+    for (size_t i = 0; i < links.size(); ++i)
+        if (links[i].is_mocap) out.push_back(int(i));
+    return out;
+}
+
 int RobotModel::link_named(const std::string& wanted) const
 {
     const int link = index_of(links, wanted);

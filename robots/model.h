@@ -61,6 +61,8 @@ struct Shape {
         3;  // of contact, MJCF's condim: 4 with torsion, 6 with rolling too; of a pair the larger counts
     Softness softness;
     std::uint32_t category = 1, collide = 1;
+    int priority = 0;  // MJCF: of two shapes that touch, the larger one's friction counts alone
+    int still = 0;     // of the world's link: which of RobotModel::still it is part of, from 1 on; 0: none
     float color[4] = {0.7f, 0.7f, 0.7f, 1};
 };
 
@@ -79,6 +81,12 @@ struct Medium {
     bool acts() const { return density > 0 || viscosity > 0; }
 };
 
+// What gravity does not pull, MJCF's gravcomp: a share of a mass at a point of a link.
+struct Lift {
+    Vec centre;
+    double mass = 0, share = 0;
+};
+
 struct Link {
     std::string name;
     int parent = -1;
@@ -91,6 +99,8 @@ struct Link {
     std::vector<FluidBox> boxes;  // none without a medium
     bool has_inertial = false;
     bool is_weightless = false;  // gravity does not pull it
+    std::vector<Lift> lifts;     // else what of it is not pulled
+    bool is_mocap = false;       // a child of the world, without joints, that the program puts where it wants
     std::vector<Shape> shapes;   // what touches
     std::vector<Shape> visuals;  // what is only looked at
     int line = 0;
@@ -170,22 +180,37 @@ struct Tendon {
     int line = 0;
 };
 
-// What stands between control and force: act' = u (integrator), (u - act) / T (filters; the exact one solved over a step).
+// What stands between control and force: act' = u (integrator), (u - act) / T (filters; the exact one solved over a step), or that
+// of a muscle (robots/muscle.h).
 struct Activation {
-    enum class Kind { kNone, kIntegrator, kFilter, kExactFilter };
+    enum class Kind { kNone, kIntegrator, kFilter, kExactFilter, kMuscle };
     Kind kind = Kind::kNone;
     double time = 1, low = -kInfinity, high = kInfinity;  // T, s; the range of act
     bool is_early = false;                                // the force is that of the act at a step's end
+    double slower = 1, smooth = 0;  // of a muscle: the time of deactivation, s, and the width between the two
 };
 
+// MuJoCo's muscle (robots/muscle.h).
+struct Muscle {
+    bool acts = false;
+    double low = 0.75, high = 1.05;  // of its lengths, in its own units, between the two below
+    double force = -1, scale = 200;  // N at peak; below 0: so large that it gives its load `scale` m/s^2
+    double shortest = 0.5, longest = 1.6, fastest = 1.5, passive = 1.3, eccentric = 1.2;
+    double length_low = 0, length_high = 0;  // m or rad, of joint or tendon times the gear
+};
+
+// gain = gain + gain_position gear q + gain_velocity gear w; of a damper the last alone.
 // force = gear clamp(gain control + bias0 - bias_position gear q - bias_velocity gear w), clamped to the range of
 // forces: a motor has gain alone, a position servo gain = bias_position, a velocity servo gain = bias_velocity.
 struct Actuator {
     std::string name, kind;
     int joint = -1, tendon = -1;
+    Vec direction;  // of a ball's: the gear along the link's axes
     double gear = 1, gain = 1, bias = 0, bias_position = 0, bias_velocity = 0;
     double low = -kInfinity, high = kInfinity;              // of the control
     double force_low = -kInfinity, force_high = kInfinity;  // of the force before the gear
+    double gain_position = 0, gain_velocity = 0;
+    Muscle muscle;
     Activation filter;
     std::vector<std::array<std::string, 2>> activation;  // as MJCF's attributes, to be written again
     int line = 0;
@@ -210,6 +235,7 @@ struct Start {
     std::string name;
     std::vector<double> positions;  // as many as the model has coordinates
     std::vector<double> controls;
+    std::vector<Pose> mocap;  // of the links that are moved by the program, in their order; empty: as in the file
 };
 
 enum class Note { kChanged, kApproximated, kIgnored, kError };
@@ -233,6 +259,9 @@ struct RobotModel {
     std::vector<Sensor> sensors;
     std::vector<Frame> frames;
     std::vector<std::array<int, 2>> excluded;  // pairs of links that do not touch
+    // Bodies of the file that are fixed to the world and do not touch some link, and those pairs: link, and number from 1 on.
+    std::vector<std::string> still;
+    std::vector<std::array<int, 2>> excluded_still;
     std::vector<Start> starts;
     std::vector<Mesh> meshes;
     std::vector<HeightField> fields;
@@ -245,6 +274,8 @@ struct RobotModel {
     bool decomposes_meshes = false;  // into several hulls each
     PartSettings parts;
 
+    // Those that the program moves.
+    std::vector<int> mocap_links() const;
     // -1 where there is none of that name. A frame counts with its link.
     int link_named(const std::string& wanted) const;
     // The frame of that name in its link, a link's own too; false where there is none.

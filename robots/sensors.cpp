@@ -127,6 +127,9 @@ std::vector<double> Sensors::drive_forces() const
         const bool has_drive = joints[i].is_scalar() && its;
         out.resize(out.size() + size_t(velocities_of(joints[i])), 0);
         if (has_drive) out.back() = double(dJointGetDriveForce(its, 0));
+        if (const dJointID turn = robot_.turn(int(i)))
+            for (int axis = 0; axis < 3; ++axis)
+                out[out.size() - 3 + size_t(axis)] = double(dJointGetDriveForce(turn, axis));
     }
     return out;
 }

@@ -98,10 +98,10 @@ Spring Springs::of_shape(int link, const Shape& shape) const
 Spring Springs::of_limit(const RobotModel& model, int joint) const
 {
     const Joint& its = model.joints[size_t(joint)];
-    if (of_velocities_.empty() || !its.is_scalar()) return {};
+    if (of_velocities_.empty() || its.kind == JointKind::kFree) return {};
     const double inverse = of_velocities_[size_t(velocity_of(model, joint))],
                  mass = carried_[size_t(its.link)];
-    const bool turns = its.kind == JointKind::kHinge;
+    const bool turns = its.kind != JointKind::kSlide;
     const double radius = turns && mass > 0 ? 1 / std::sqrt(inverse * mass) : 1;
     return spring_of(its.stop_softness, inverse, weight_ / 2 * radius);
 }

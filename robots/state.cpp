@@ -18,6 +18,8 @@ void Robot::make_drives()
 {
     for (size_t i = 0; i < joints_.size(); ++i)
         if (joints_[i] && model().joints[i].is_scalar()) dJointSetDrive(joints_[i], 0, nullptr);
+    for (dJointID its : turns_)
+        for (int axis = 0; its && axis < 3; ++axis) dJointSetDrive(its, axis, nullptr);
     for (dJointID tendon : tendons_)
         if (tendon) dJointSetDrive(tendon, 0, nullptr);
 }

@@ -17,6 +17,7 @@
 #include "robots/body_poses.h"
 #include "robots/build.h"
 #include "robots/mass_factor.h"
+#include "robots/muscle.h"
 
 namespace epode::robots {
 
@@ -61,6 +62,9 @@ double moved(const Activation& filter, double act, double control, double h)
             break;
         case Activation::Kind::kExactFilter:
             out += approached(h / time) * (control - act);
+            break;
+        case Activation::Kind::kMuscle:
+            out += h * muscle_rate(filter, act, control);
             break;
     }
     return std::clamp(out, filter.low, filter.high);
@@ -150,16 +154,18 @@ void Robot::wake(const Tendon& tendon) const
 double Robot::stiffness(int tendon) const
 {
     double sum = model().tendons[size_t(tendon)].stiffness;
-    for (const Actuator& a : model().actuators)
-        if (a.tendon == tendon) sum += a.gear * a.gear * std::max(0.0, a.bias_position);
+    for (size_t i = 0; i < model().actuators.size(); ++i)
+        if (const Actuator& a = model().actuators[i]; a.tendon == tendon)
+            sum += a.gear * a.gear * std::max(0.0, slope_of(i).position);
     return sum;
 }
 
 double Robot::damping(int tendon) const
 {
     double sum = model().tendons[size_t(tendon)].damping;
-    for (const Actuator& a : model().actuators)
-        if (a.tendon == tendon) sum += a.gear * a.gear * std::max(0.0, a.bias_velocity);
+    for (size_t i = 0; i < model().actuators.size(); ++i)
+        if (const Actuator& a = model().actuators[i]; a.tendon == tendon)
+            sum += a.gear * a.gear * std::max(0.0, slope_of(i).velocity);
     return sum;
 }
 
@@ -174,9 +180,12 @@ double Robot::force(const Pull& pull, double h) const
     for (size_t i = 0; i < model().actuators.size(); ++i) {
         const Actuator& a = model().actuators[i];
         if (a.tendon != pull.tendon) continue;
-        const double steady = a.gain * inputs_[i] + a.bias - a.bias_position * a.gear * length;
-        const double its = (a.bias_position > 0 ? stiff * steady : steady) -
-                           (a.bias_velocity > 0 ? damp : 1) * a.bias_velocity * a.gear * pull.rate;
+        const Slope slope = slope_of(i);
+        const double steady = a.muscle.acts
+                                  ? muscle_force(a.muscle, inputs_[i], a.gear * length, a.gear * pull.rate)
+                                  : a.gain * inputs_[i] + a.bias - slope.position * a.gear * length;
+        const double its = (slope.position > 0 ? stiff * steady : steady) -
+                           (slope.velocity > 0 ? damp : 1) * slope.velocity * a.gear * pull.rate;
         out += a.gear * std::clamp(its, a.force_low, a.force_high);
     }
     if (!(pull.sum > 0)) return out;
@@ -226,7 +235,13 @@ Robot::Stroke Robot::stroke(int actuator) const
         place += factor * (double(dJointGetAxisPosition(its, 0)) + model().joints[size_t(joint)].reference);
         rate += factor * double(dJointGetAxisRate(its, 0));
     };
-    if (a.joint >= 0) {
+    if (a.joint >= 0 && turns_[size_t(a.joint)]) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const dJointID its = turns_[size_t(a.joint)];
+            place += a.direction[axis] * double(dJointGetAxisPosition(its, axis));
+            rate += a.direction[axis] * double(dJointGetAxisRate(its, axis));
+        }
+    } else if (a.joint >= 0) {
         add(a.joint, 1);
     } else if (const Tendon& tendon = model().tendons[size_t(a.tendon)]; tendon.path.empty()) {
         for (const Coupling::Term& term : tendon.terms) add(term.joint, term.factor);
@@ -241,8 +256,11 @@ double Robot::actuator_force(int actuator) const
 {
     const Actuator& a = model().actuators[size_t(actuator)];
     const Stroke its = stroke(actuator);
-    const double force = a.gain * inputs_[size_t(actuator)] + a.bias - a.bias_position * its.length -
-                         a.bias_velocity * its.rate;
+    const double input = inputs_[size_t(actuator)];
+    const Slope slope = slope_of(size_t(actuator));
+    const double force = a.muscle.acts ? muscle_force(a.muscle, input, its.length, its.rate)
+                                       : a.gain * input + a.bias - slope.position * its.length -
+                                             slope.velocity * its.rate;
     return std::clamp(force, a.force_low, a.force_high);
 }
 
@@ -298,10 +316,30 @@ int Robot::add_tendon_forces(double h)
     return int(all.size());
 }
 
+bool Robot::moves_path(const Actuator& a) const
+{
+    return a.tendon >= 0 && !model().tendons[size_t(a.tendon)].path.empty();
+}
+
+// Those of joints and sums of coordinates, whose drives hold what they exert through the step.
+int Robot::move_muscles()
+{
+    int count = 0;
+    for (size_t i = 0; i < model().actuators.size(); ++i) {
+        const Actuator& a = model().actuators[i];
+        if (!a.muscle.acts || moves_path(a)) continue;
+        const Stroke its = stroke(int(i));
+        pulls_[i] = muscle_force(a.muscle, inputs_[i], its.length, its.rate);
+        set_drive_of(a), ++count;
+    }
+    return count;
+}
+
 int Robot::add_forces(double h)
 {
     const int filters = move_filters(h);
-    return filters + add_tendon_forces(h) + add_fluid_forces(h);
+    move_muscles();
+    return filters + add_tendon_forces(h) + add_fluid_forces(h) + add_lifts();
 }
 
 }  // namespace epode::robots

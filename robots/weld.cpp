@@ -20,6 +20,7 @@ void merge(const Link& from, const Pose& pose, Link& into)
     for (Shape shape : from.shapes) shape.pose = pose * shape.pose, into.shapes.push_back(shape);
     for (Shape visual : from.visuals) visual.pose = pose * visual.pose, into.visuals.push_back(visual);
     if (into.parent < 0) return;
+    for (Lift lift : from.lifts) lift.centre = pose * lift.centre, into.lifts.push_back(lift);
     for (FluidBox box : from.boxes) box.pose = pose * box.pose, into.boxes.push_back(box);
     if (from.mass > into.mass) into.is_weightless = from.is_weightless;
     const Inertia sum =
@@ -28,17 +29,44 @@ void merge(const Link& from, const Pose& pose, Link& into)
     into.has_inertial = into.has_inertial || from.has_inertial;
 }
 
+// Whether it stands still: neither it nor what carries it has joints or is moved by the program.
+bool stands(const RobotModel& model, int link)
+{
+    for (; link > 0; link = model.links[size_t(link)].parent)
+        if (!model.links[size_t(link)].joints.empty() || model.links[size_t(link)].is_mocap) return false;
+    return true;
+}
+
+// Exclusions of what becomes part of the world's link, which touches all others: its shapes remember whose they are.
+void set_still_apart(RobotModel& model)
+{
+    std::vector<int> number(model.links.size(), 0);
+    const auto number_of = [&](int link) {
+        if (number[size_t(link)] > 0) return number[size_t(link)];
+        model.still.push_back(model.links[size_t(link)].name);
+        for (Shape& shape : model.links[size_t(link)].shapes) shape.still = int(model.still.size());
+        return number[size_t(link)] = int(model.still.size());
+    };
+    std::erase_if(model.excluded, [&](const std::array<int, 2>& pair) {
+        const bool first = stands(model, pair[0]), second = stands(model, pair[1]);
+        if (first && !second) model.excluded_still.push_back({pair[1], number_of(pair[0])});
+        if (second && !first) model.excluded_still.push_back({pair[0], number_of(pair[1])});
+        return first || second;
+    });
+}
+
 }  // namespace
 
 void merge_fixed_links(RobotModel& model)
 {
+    set_still_apart(model);
     std::vector<Link> kept;
     std::vector<Merged> place(model.links.size());
     for (size_t i = 0; i < model.links.size(); ++i) {
         Link& link = model.links[i];
         const Merged parent = link.parent < 0 ? Merged{} : place[size_t(link.parent)];
         const Pose pose = parent.pose * link.pose;
-        if (i > 0 && link.joints.empty()) {
+        if (i > 0 && link.joints.empty() && !link.is_mocap) {
             place[i] = {parent.link, pose};
             const Link& into = kept[size_t(parent.link)];
             if (into.mass > 0 && link.mass > 0 && into.is_weightless != link.is_weightless)
@@ -74,6 +102,7 @@ void merge_fixed_links(RobotModel& model)
         }
     for (auto& pair : model.excluded)
         for (int& link : pair) link = place[size_t(link)].link;
+    for (auto& pair : model.excluded_still) pair[0] = place[size_t(pair[0])].link;
 }
 
 }  // namespace epode::robots

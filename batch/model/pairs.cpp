@@ -64,6 +64,7 @@ class Pairs {
                 ++number;
             }
         for (const auto& pair : model_.excluded) exclude(pair[0], pair[1]);
+        for (const auto& pair : model_.excluded_still) still_.insert(pair);
         for (const auto& pair : prepared.overlapping()) exclude(pair[0], pair[1]);
         for (const Closure& loop : model_.closures)
             if (loop.link1 != 0 && loop.link2 != 0) exclude(loop.link1, loop.link2);
@@ -115,6 +116,7 @@ class Pairs {
         if (a.link == b.link || (stands_still(a.link) && stands_still(b.link))) return false;
         const bool wanted = (a.shape->category & b.shape->collide) || (b.shape->category & a.shape->collide);
         if (!wanted || are_connected(a.link, b.link)) return false;
+        if (still_.count({b.link, a.shape->still}) || still_.count({a.link, b.shape->still})) return false;
         return !excluded_.count({std::min(a.link, b.link), std::max(a.link, b.link)});
     }
 
@@ -128,10 +130,14 @@ class Pairs {
         pair.first_slot = out_.slots, out_.slots += pair.slots;
         pair.support = support_of(a.link, b.link);
         pair.is_upright = b.shape->kind == ShapeKind::kPlane && is_upright(b);
-        const int dimensions = std::max(a.shape->dimensions, b.shape->dimensions);
+        const int first = a.shape->priority, second = b.shape->priority;
+        const int dimensions = first > second   ? a.shape->dimensions
+                               : second > first ? b.shape->dimensions
+                                                : std::max(a.shape->dimensions, b.shape->dimensions);
         pair.rolls = dimensions >= 6;
         if (dimensions >= 4) pair.first_turn = out_.turns, out_.turns += pair.slots;
         const auto combined = [&](double one, double two) {
+            if (first != second) return first > second ? one : two;
             return model_.largest_friction ? std::max(one, two) : std::sqrt(one * two);
         };
         const double friction = combined(a.shape->friction, b.shape->friction);
@@ -198,7 +204,7 @@ class Pairs {
     const Prepared& prepared_;
     const RobotModel& model_;
     std::vector<Touching> shapes_;
-    std::set<std::array<int, 2>> excluded_;
+    std::set<std::array<int, 2>> excluded_, still_;  // the latter: links, and the parts of the world that they do not touch
     std::map<std::array<int, 2>, int> supports_;
 };
 

@@ -54,8 +54,20 @@ std::string refused_sums(const RobotModel& model)
     return problem;
 }
 
+std::string refused_actuator(const RobotModel& model)
+{
+    for (const Actuator& its : model.actuators)
+        if (its.muscle.acts || its.gain_position != 0 || its.gain_velocity != 0)
+            return named("actuator", its.name) + ": a batch has no muscles and no gains that depend on lengths";
+    for (const Actuator& its : model.actuators)
+        if (its.joint >= 0 && !model.joints[size_t(its.joint)].is_scalar())
+            return named("actuator", its.name) + ": a batch has no actuators of balls";
+    return {};
+}
+
 std::string refused_link(const Link& link, size_t number)
 {
+    if (!link.lifts.empty()) return named("link", link.name) + ": a batch pulls links whole or not at all (gravcomp)";
     if (number > 0 && !link.joints.empty() && !(link.mass > 0))
         return named("link", link.name) + ": moves, but has no mass";
     return {};
@@ -81,6 +93,7 @@ std::string refusal_of(const RobotModel& model)
     if (model.has_errors()) return "the model has errors: see its report";
     if (number_of_velocities(model) == 0) return "the model has no joints: nothing of it moves";
     std::string problem = refused_free(model);
+    if (problem.empty()) problem = refused_actuator(model);
     if (problem.empty()) problem = refused_sums(model);
     for (size_t i = 0; i < model.links.size() && problem.empty(); ++i)
         problem = refused_link(model.links[i], i);

@@ -350,6 +350,16 @@ ODE_API int dRobotAddForces(dRobotID robot, dReal stepsize);
 ODE_API int dRobotSetActivation(dRobotID robot, int actuator, dReal activation);
 ODE_API dReal dRobotGetActivation(dRobotID robot, int actuator);
 
+/** Bodies that the program moves (MJCF: mocap): they stand where they have been put, whatever touches them, and pull what is
+    welded to them.
+    - dRobotModelGetNumMocap: Returns how many there are.
+    - dRobotModelGetMocap: Returns the link of the one of that number. Refused: no such number (-1 is returned).
+    - dRobotSetMocap: Puts such a link at the position, m, and quaternion q in the world; NULL: as it is. Returns 1.
+      Refused: a link that is none of them; a quaternion of length 0. [ours] */
+ODE_API int dRobotModelGetNumMocap(dRobotModelID model);
+ODE_API int dRobotModelGetMocap(dRobotModelID model, int number);
+ODE_API int dRobotSetMocap(dRobotID robot, int link, const dReal* position, const dReal* q);
+
 /** What a robot has in addition to its world's state (dWorldGetState): controls, activations and what joints are pulled to. Save both,
     and set this after dWorldSetState; then the robot goes on with the same bits.
     - dRobotGetState: Copies up to capacity `numbers` (0 to ask how many there are, `numbers` may then be null). Returns

@@ -74,6 +74,7 @@ typedef struct dMaterial {
     int friction_rule;         /**< a dCombineRule for friction. dCombineDefault */
     int bounce_rule;           /**< for bounce. dCombineDefault */
     int rolling_friction_rule; /**< for rolling friction. dCombineDefault */
+    int priority;              /**< the geom of the larger one says friction, bounce and rolling friction alone. 0 */
 } dMaterial;
 
 /** Fills *material with the default of every field, and writes struct_size, which is sizeof(dMaterial), to
@@ -85,7 +86,7 @@ ODE_API int dMaterialInit(dMaterial* material, unsigned struct_size);
     defaults. Refused: a structure smaller than one that has friction alone, or larger than this library's.
     - dGeomSetMaterial: Give the geom a copy of *material from the next step on; 0: the default again.
       Returns 1. Refused: coefficients below 0; a bounce above 1; infinite rolling friction, compliance or
-      damping time; unknown rules.
+      damping time; unknown rules; a priority beyond a million.
     - dGeomGetMaterial: Copy the geom's material to *material, the default if it has none. Returns 1.
       [ours] */
 ODE_API int dGeomSetMaterial(dGeomID geom, const dMaterial* material);

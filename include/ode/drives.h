@@ -112,6 +112,24 @@ ODE_API dReal dJointGetDriveForce(dJointID joint, int axis);
 ODE_API int dJointSetStopSpring(dJointID joint, int axis, dReal stiffness, dReal damping);
 ODE_API int dJointGetStopSpring(dJointID joint, int axis, dReal* stiffness, dReal* damping);
 
+/** The third mode of an angular motor (dJointSetAMotorMode), next to dAMotorUser and dAMotorEuler: the rotation of body 1
+    against body 2 from how they stand when the mode is set, as a vector along its axis, as long as its angle. Its components
+    along the axes of body 1 are the positions of three axes, for drives that know no singular pose; the stops of axis 0 hold
+    its length, 0 ... pi: the cone of a ball joint. dJointSetAMotorAxis is refused in this mode. */
+enum {
+    dAMotorTurn = 2 /**< the rotation vector */
+};
+
+/** A joint that is made far beyond a stop is pushed back at dParamStopERP / h times the distance: the faster, the
+    smaller the step is, and it keeps that speed. A rate bounds it in steps that correct by velocities. It does not
+    count where poses are corrected instead (dWorldSetStepProjection, dWorldSetContactMaxCorrectingVel).
+    - dJointSetStopRate: Let the stops of an axis push back what is beyond them by at most rate times the distance,
+      per second. Robots of files have 20/s. dInfinity, the default: ERP alone counts. Returns 1, or 0 when
+      refused: a rate that is not above 0; an axis without stops.
+    - dJointGetStopRate: Returns it. Refused: an axis without stops. [ours] */
+ODE_API int dJointSetStopRate(dJointID joint, int axis, dReal rate);
+ODE_API dReal dJointGetStopRate(dJointID joint, int axis);
+
 /** - dJointSetSpring: Let the rows that have the joint's own ERP and CFM be springs with dampers, N/m and
       N s/m: the anchor of a ball, the place of a fixed joint, the rod of a double ball or double hinge, the
       suspension of a hinge-2 (there dParamSuspensionERP and CFM), in every step and substep, whatever its

@@ -216,6 +216,8 @@ class dJointExt : public Type {
     {
         return dJointSetStopSpring(this->id(), axis, stiffness, damping);
     }
+    int setStopRate(int axis, dReal rate) { return dJointSetStopRate(this->id(), axis, rate); }
+    dReal getStopRate(int axis) const { return dJointGetStopRate(this->id(), axis); }
     int getStopSpring(int axis, dReal* stiffness, dReal* damping) const
     {
         return dJointGetStopSpring(this->id(), axis, stiffness, damping);

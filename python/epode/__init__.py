@@ -24,7 +24,7 @@ from .joint import Drive, Joint, joint_states
 from .recording import Recording
 from .shapes import (Box, Capsule, Cone, Convex, Cylinder, Decomposition, Ellipsoid, HeightField, Material, Mesh, Plane,
                      Sphere, TaperedCapsule, decompose)
-from .world import Cause, World, defaults_text, step_worlds
+from .world import Cause, World, defaults_text, load_world, step_worlds
 
 if TYPE_CHECKING:
     from . import robot, sweep, vector
@@ -36,7 +36,7 @@ __all__ = ["Batch", "Behaviour", "Body", "BodyGroup", "Box", "BusyError", "Capsu
            "ContactEventKind", "Convex", "Cylinder", "DeadHandleError", "Decomposition", "Drive", "Ellipsoid", "EpodeWarning",
            "EventGone", "EventKind", "Geom", "HeightField", "IslandMethod", "Joint", "Material", "Mesh", "Plane",
            "Recording", "RefusedError", "Severity", "Sphere", "TaperedCapsule", "World", "c", "decompose", "defaults_text",
-           "joint_states", "load", "robot", "step_worlds", "sweep", "vector"]
+           "joint_states", "load", "load_world", "robot", "step_worlds", "sweep", "vector"]
 
 
 def __getattr__(name: str) -> Any:

@@ -5,9 +5,11 @@ from __future__ import annotations
 
 import typing
 
+from . import c
 from .body import Body
 from .geom import Geom
-from .joint import Joint
+from .joint import Joint, type_of
+from .shapes import LoadedShape, Shape
 
 if typing.TYPE_CHECKING:
     from ._handle import FloatArray
@@ -61,5 +63,18 @@ class Description:
         def place(body: Body | None) -> int | None:
             return None if body is None else number.get(body)
         self.stepper = world.stepper
-        self.joints = [(joint.type, place(joint.body1), place(joint.body2)) for joint in world._joints.values()]
-        self.geoms = [(geom.shape, place(geom.body)) for geom in world._geoms.values()]
+        self.joints: list[tuple[str, int | None, int | None]] = [(joint.type, place(joint.body1), place(joint.body2)) for joint in world._joints.values()]
+        self.geoms: list[tuple[Shape, int | None]] = [(geom.shape, place(geom.body)) for geom in world._geoms.values()]
+
+    @classmethod
+    def of_handles(cls, bodies: list[c.dBodyID], joints: list[c.dJointID], geoms: list[c.dGeomID]) -> Description:
+        """Of a world that Python knows nothing of."""
+        self = cls.__new__(cls)
+        number = {body: i for i, body in enumerate(bodies)}
+
+        def place(body: c.dBodyID | None) -> int | None:
+            return None if body is None else number.get(body)
+        self.stepper = "exact"
+        self.joints = [(type_of(joint), place(c.dJointGetBody(joint, 0)), place(c.dJointGetBody(joint, 1))) for joint in joints]
+        self.geoms = [(LoadedShape(), place(c.dGeomGetBody(geom))) for geom in geoms]
+        return self

@@ -21,6 +21,14 @@ TYPES = {"ball": "Ball", "hinge": "Hinge", "slider": "Slider", "universal": "Uni
          "fixed": "Fixed", "amotor": "AMotor", "lmotor": "LMotor", "plane2d": "Plane2D", "pr": "PR", "pu": "PU",
          "piston": "Piston", "dball": "DBall", "dhinge": "DHinge", "transmission": "Transmission"}
 _NAMES = TYPES | {"coupling": "Coupling"}  # made by World.couple
+_NUMBERS = {getattr(c, f"dJointType{suffix}"): name for name, suffix in _NAMES.items()}
+
+
+def type_of(handle: c.dJointID) -> str:
+    """The name of a joint's type."""
+    return _NUMBERS[c.dJointGetType(handle)]
+
+
 _PARAMETERS = {"lo_stop": "LoStop", "hi_stop": "HiStop", "velocity": "Vel", "max_force": "FMax",
                "fudge_factor": "FudgeFactor", "bounce": "Bounce", "cfm": "CFM", "stop_erp": "StopERP",
                "stop_cfm": "StopCFM", "suspension_erp": "SuspensionERP", "suspension_cfm": "SuspensionCFM", "erp": "ERP"}

@@ -39,6 +39,16 @@ def _png(pixels: bytes, width: int, height: int) -> bytes:
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(filtered, 6)) + chunk(b"IEND", b"")
 
 
+def _unpickled(file: bytes) -> Recording:
+    """The recording that ``Recording.__reduce__`` has written."""
+    import tempfile
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "states.epr")
+        with open(path, "wb") as to:
+            to.write(file)
+        return Recording.load(path)
+
+
 class Recording:
     """The states of a world, from ``World.record`` or a file: the initial one, then one after each step.
 
@@ -86,6 +96,15 @@ class Recording:
             self._sync(world)
             self._time += h
             self._data.take_state(world._handle, self._time, h, milliseconds)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickles hold the states so far, as the .epr file has them; their recording goes on with no world."""
+        import tempfile
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "states.epr")
+            self.save(path)
+            with open(path, "rb") as file:
+                return _unpickled, (file.read(),)
 
     def stop(self) -> None:
         """Record no more."""

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 import os
 import typing
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -34,15 +34,12 @@ from ._robot_data import (Actuator as Actuator, Link as Link, ModelJoint as Mode
 from .body import Body
 from .errors import DeadHandleError, RefusedError
 from .geom import Geom
-from .joint import Joint
+from .joint import Joint, type_of
 from .shapes import Shape
 from .world import World
 
 if typing.TYPE_CHECKING:
     from ._c import _Robot, _RobotModel
-
-_TYPES = {c.dJointTypeHinge: "hinge", c.dJointTypeSlider: "slider", c.dJointTypeBall: "ball", c.dJointTypeFixed: "fixed",
-          c.dJointTypeAMotor: "amotor", c.dJointTypeCoupling: "coupling"}
 
 
 class FileShape(Shape):
@@ -71,19 +68,29 @@ def load(path: Path, **options: typing.Unpack[Options]) -> Model:
     the root of a URDF is fixed to the world. repair: inertias that no body can have are mended. inertia_from_shapes: links
     without an inertial get that of their shapes. meshes_as_triangles: not as their convex hulls. meshes_as_parts: as
     several hulls each (``epode.decompose``). missing_mass: of other moving links without an inertial, kg. roots: more folders that may be read."""
-    return Model(_read(path, None, options))
+    return Model(_read(path, None, options), (os.path.abspath(path), None, options))
 
 
 def from_text(text: str, path: Path = "robot.xml", **options: typing.Unpack[Options]) -> Model:
     """Read a text as if it were the file path. Options as for ``load``."""
-    return Model(_read(path, text, options))
+    return Model(_read(path, text, options), (os.fspath(path), text, options))
+
+
+def _unpickled(path: str, text: str | None, options: Options) -> Model:
+    """The model that ``Model.__reduce__`` has written."""
+    return Model(_read(path, text, options), (path, text, options))
+
+
+def _robot_of(world: World, number: int) -> Robot:
+    """The robot that ``Robot.__reduce__`` has written."""
+    return world._robots[number]
 
 
 class Model:
     """What a file says, as data. Frames are links, and merged links and sites, by name."""
 
-    def __init__(self, model: _RobotModel) -> None:
-        self._model = model
+    def __init__(self, model: _RobotModel, source: tuple[str, str | None, Options]) -> None:
+        self._model, self._source = model, source
         self.report = [Note(*line) for line in model.report]
         errors = [note for note in self.report if note.kind == "error"]
         if errors:
@@ -97,6 +104,19 @@ class Model:
         self.actuators = [Actuator(*row) for row in model.actuators]
         self.sensors = [Sensor(*row) for row in model.sensors]
         self.starts = model.starts
+
+    def __reduce__(self) -> tuple[typing.Any, ...]:
+        """Pickles hold the text of the robot's file; files that it includes and meshes are read again, where they were."""
+        path, text, options = self._source
+        if text is None and self.format != "SDF":
+            with open(path, encoding="utf-8") as file:
+                text = file.read()
+        return _unpickled, (path, text, options)
+
+    @property
+    def mocap_names(self) -> list[str]:
+        """Of the links that the program moves (``Robot.mocap``)."""
+        return [self.links[i].name for i in self._model.mocap]
 
     def __repr__(self) -> str:
         return f"<epode.robot.Model {self.name!r}: {len(self.links) - 1} links, {len(self.joints)} joints>"
@@ -259,12 +279,47 @@ class Model:
             world = World(gravity=self.gravity)
         robot = Robot(self, world, np.concatenate([np.asarray(position, float), np.asarray(quaternion, float)]))
         if start is None:
-            start = next(iter(self.starts.values()), None)
-        elif isinstance(start, str):
+            start = next(iter(self.starts), None)
+        if isinstance(start, str):
+            for name, pose in zip(self.mocap_names, self._model.start_mocap[start]):
+                robot.mocap[name] = pose[:3], pose[3:]
             start = self.starts[start]
         if start is not None:
             robot.positions = start
         return robot
+
+
+class Mocap(Mapping[str, tuple[FloatArray, FloatArray]]):
+    """The links of a robot that the program moves, by name: ``robot.mocap["target"] = position, quaternion`` (None: as it is) puts
+    one there in the world, at once and for good; reading gives both."""
+
+    def __init__(self, robot: Robot) -> None:
+        self._robot = robot
+
+    def __len__(self) -> int:
+        return len(self._robot.model.mocap_names)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._robot.model.mocap_names)
+
+    def _link(self, name: str) -> int:
+        model = self._robot.model
+        if name not in model.mocap_names:
+            raise KeyError(f"no link that the program moves is called {name!r}: {', '.join(model.mocap_names) or 'there is none'}")
+        return model._model.mocap[model.mocap_names.index(name)]
+
+    def __getitem__(self, name: str) -> tuple[FloatArray, FloatArray]:
+        pose = self._robot._live.link_pose(self._link(name))
+        return pose[:3], pose[3:]
+
+    def __setitem__(self, name: str, pose: tuple[ArrayLike | None, ArrayLike | None]) -> None:
+        link = self._link(name)
+        position, quaternion = self[name]
+        parts = [position if pose[0] is None else np.asarray(pose[0], float),
+                 quaternion if pose[1] is None else np.asarray(pose[1], float)]
+        if [part.shape for part in parts] != [(3,), (4,)] or not np.any(parts[1]):
+            raise ValueError("a position of 3 numbers and a quaternion of 4, not all 0, are expected")
+        self._robot._live.set_mocap(link, np.concatenate(parts))
 
 
 class Robot:
@@ -277,6 +332,32 @@ class Robot:
         self._seen = -1  # the world's edition when all of it was alive
         world._robots.append(self)
         self._add_all(self._robot)
+        self.mocap = Mocap(self)
+
+    def _places(self) -> tuple[list[int], list[int], list[int]]:
+        """Where its bodies, joints and geoms are among its world's."""
+        world, live = self.world, self._live
+        bodies, joints = ({handle: i for i, handle in enumerate(group)} for group in (world._bodies, world._joints))
+        geoms = {geom: i for i, geom in enumerate(world._geoms.values())}
+        return [bodies[h] for h in live.bodies], [joints[h] for h in live.joints], [geoms[g] for g in self._geoms]
+
+    @classmethod
+    def _copied(cls, model: Model, like: _Robot, world: World, places: tuple[list[int], list[int], list[int]]) -> Robot:
+        """The robot in a copy of its world, whose bodies, joints and geoms stand at those places."""
+        self = cls.__new__(cls)
+        groups = [list(group.values()) for group in (world._bodies, world._joints, world._geoms)]
+        bodies, joints, geoms = ([group[i] for i in its] for group, its in zip(groups, places))
+        self.model, self.world = model, world
+        self._robot = like.counterpart(world._handle, *([one._handle for one in its] for its in (bodies, joints, geoms)))
+        self._bodies, self._joints = {b._handle: b for b in bodies}, {j._handle: j for j in joints}
+        self._geoms, self._seen, self.mocap = geoms, -1, Mocap(self)
+        world._robots.append(self)
+        return self
+
+    def __reduce__(self) -> tuple[typing.Any, ...]:
+        """A robot is pickled with its world."""
+        self._live
+        return _robot_of, (self.world, [robot for robot in self.world._robots if robot.alive].index(self))
 
     def _add_all(self, robot: _Robot) -> None:
         world = self.world
@@ -287,9 +368,9 @@ class Robot:
         self._joints = {}
         for handle in robot.joints:
             ends = [self._body_of(c.dJointGetBody(handle, i)) for i in (0, 1)]
-            self._joints[handle] = Joint(world, handle, _TYPES[c.dJointGetType(handle)], *ends)
+            self._joints[handle] = Joint(world, handle, type_of(handle), *ends)
         world._joints.update(self._joints)
-        self._geoms = []
+        self._geoms: list[Geom] = []
         for shape in robot.geoms:
             body = self._body_of(c.dGeomGetBody(shape))
             geom = Geom(world, shape, FileShape(), body)
@@ -402,6 +483,11 @@ class Robot:
     def activations(self, values: ArrayLike) -> None:
         for i, value in enumerate(self._each_actuator(values, "activations")):
             self._live.set_activation(i, float(value))
+
+    @property
+    def actuator_forces(self) -> FloatArray:
+        """What the actuators exert now, N or N m, before their gears."""
+        return self._live.actuator_forces()
 
     def _each_actuator(self, values: ArrayLike, what: str) -> FloatArray:
         wanted = np.asarray(values, float)

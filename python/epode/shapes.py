@@ -45,6 +45,10 @@ class Shape:
         raise TypeError(f"{type(self).__name__} has no mass of its own: give the body mass and inertia")
 
 
+class LoadedShape(Shape):
+    """The shape of a geom that a file of a world has brought along (``load_world``); ``c`` reads its sizes."""
+
+
 def _adopted(data: _Data | None, handle: Any, destroy: Callable[[Any], Any]) -> _Data:
     """Data that a loaded world has brought along, unless they are known."""
     return data if data is not None and data.handle == handle else _Data(handle, destroy)
@@ -231,7 +235,7 @@ class HeightField(Shape):
 @dataclasses.dataclass
 class Material:
     """The surface of a geom. friction: Coulomb's coefficient; bounce: restitution, 0 to 1; compliance: m/N. The rules say how
-    the coefficients of a pair follow from those of its two geoms."""
+    the coefficients of a pair follow from those of its two geoms; of two priorities the larger one's geom alone says them."""
     friction: float = 0.6
     bounce: float = 0.0
     bounce_speed: float = 1.0
@@ -242,6 +246,7 @@ class Material:
     friction_rule: CombineRule = CombineRule.DEFAULT
     bounce_rule: CombineRule = CombineRule.DEFAULT
     rolling_friction_rule: CombineRule = CombineRule.DEFAULT
+    priority: int = 0
 
     def _to_c(self) -> c.dMaterial:
         material = c.dMaterial()

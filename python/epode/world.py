@@ -53,7 +53,7 @@ class Cause(typing.NamedTuple):
     text: str
 
 
-def _unpickled(file: bytes, description: Description, numbers: list[int]) -> World:
+def _unpickled(file: bytes, description: Description, numbers: list[int], robots: Sequence[typing.Any] = ()) -> World:
     """The world that ``World.__reduce__`` has written."""
     handle, space = c.dWorldLoadFromBuffer(file)
     assert space is not None
@@ -62,6 +62,22 @@ def _unpickled(file: bytes, description: Description, numbers: list[int]) -> Wor
     bodies, joints = c.dWorldGetBodies(handle), c.dWorldGetJoints(handle)
     world._adopt(description, [bodies[i] for i in range(len(bodies))], [joints[i] for i in range(len(joints))],
                  [geom for geom in geoms if geom is not None])
+    for model, pose, places, state in robots:
+        like = model.build(World(), position=pose[:3], quaternion=pose[3:])  # its parts stand in the same order
+        type(like)._copied(model, like._live, world, places)._live.set_state(state)
+    return world
+
+
+def load_world(path: str | os.PathLike[str]) -> World:
+    """The world of a file that ``World.save_file``, the command or dWorldSave has written. Its bodies, joints and geoms are in the
+    order of their creation; robots in it are bodies and joints like others."""
+    handle, space = c.dWorldLoad(os.fspath(path))
+    if space is None:
+        space = c.dHashSpaceCreate(None)
+    world = World._around(handle, space)
+    bodies, joints = ([found[i] for i in range(len(found))] for found in (c.dWorldGetBodies(handle), c.dWorldGetJoints(handle)))
+    geoms = [geom for i in range(c.dSpaceGetNumGeoms(space)) if (geom := c.dSpaceGetGeom(space, i)) is not None]
+    world._adopt(Description.of_handles(bodies, joints, geoms), bodies, joints, geoms)
     return world
 
 
@@ -493,7 +509,7 @@ class World(Object):
         set_numbers(of_robots)
 
     def save_file(self, path: str | os.PathLike[str]) -> None:
-        """Write the whole world to a file, which the command runs: ``python -m epode run FILE``."""
+        """Write the whole world to a file, which the command runs (``python -m epode run FILE``) and ``load_world`` reads."""
         c.dWorldSave(self._handle, self._space, os.fspath(path))
 
     # ---- copies ----
@@ -506,6 +522,9 @@ class World(Object):
         copy = World._around(handle, space)
         copy._adopt(self, [counterparts[h] for h in self._bodies], [counterparts[h] for h in self._joints],
                     [counterparts[geom._live] for geom in self._geoms.values()])
+        for robot in self._robots:
+            if robot.alive:
+                type(robot)._copied(robot.model, robot._live, copy, robot._places())
         return copy
 
     __copy__ = clone
@@ -516,7 +535,9 @@ class World(Object):
     def __reduce__(self) -> tuple[typing.Any, ...]:
         """Pickles hold the world's file and what Python knows in addition."""
         numbers = [self._geom_number(geom) for geom in self._geoms.values()]
-        return _unpickled, (c.dWorldSaveToBuffer(self._handle, self._space), Description(self), numbers)
+        robots = [(robot.model, robot._live.placement, robot._places(), robot._live.state())
+                  for robot in self._robots if robot.alive]
+        return _unpickled, (c.dWorldSaveToBuffer(self._handle, self._space), Description(self), numbers, robots)
 
     def _geom_number(self, geom: Geom) -> int:
         return next(i for i in range(c.dSpaceGetNumGeoms(self._space)) if c.dSpaceGetGeom(self._space, i) == geom._live)

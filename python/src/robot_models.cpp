@@ -123,6 +123,18 @@ nb::dict starts(const Model& m)
     return out;
 }
 
+// Of each start pose those of the bodies that the program moves.
+nb::dict start_mocap(const Model& m)
+{
+    nb::dict out;
+    for (const Start& start : m.model.starts) {
+        Reals all;
+        for (const Pose& p : start.mocap) all.insert(all.end(), {p.p.x, p.p.y, p.p.z, p.q.w, p.q.x, p.q.y, p.q.z});
+        out[start.name.c_str()] = table(all, all.size() / 7, 7);
+    }
+    return out;
+}
+
 // (link, pose in it), or None.
 nb::object frame(const Model& m, const std::string& name)
 {
@@ -251,6 +263,8 @@ void bind_robot_models(nb::module_& m)
         .def_prop_ro("joints", joints)
         .def_prop_ro("actuators", actuators)
         .def_prop_ro("starts", starts)
+        .def_prop_ro("start_mocap", start_mocap)
+        .def_prop_ro("mocap", [](const Model& s) { return s.model.mocap_links(); })
         .def_prop_ro("sensors", sensors)
         .def_prop_ro("frame_names", frame_names)
         .def("frame", frame)

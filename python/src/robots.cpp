@@ -87,6 +87,36 @@ void set_state(Built& robot, nb::object from)
     if (!fits) throw nb::value_error("these are not the numbers of a robot of this model");
 }
 
+void set_mocap(Built& robot, int link, nb::object pose)
+{
+    Call call;
+    const bool fits = robot.robot->set_mocap(link, read_pose(pose));
+    call.done();
+    if (!fits) throw nb::value_error("a link that the program moves (mocap) is expected");
+}
+
+template <typename P, typename Handle>
+std::vector<P> pointers(nb::list from)
+{
+    std::vector<P> out;
+    for (nb::handle one : from) out.push_back(nb::cast<const Handle&>(one).p);
+    return out;
+}
+
+// The same robot in a copy of its world.
+Built* counterpart(const Built& like, const WorldHandle& world, nb::list bodies, nb::list joints, nb::list geoms)
+{
+    Call call;
+    call.uses(world.p);
+    auto out = std::make_unique<Built>();
+    out->robot = like.robot->counterpart(pointers<dBodyID, BodyHandle>(bodies), pointers<dJointID, JointHandle>(joints),
+                                         pointers<dGeomID, GeomHandle>(geoms));
+    if (!out->robot) throw nb::value_error("these are not the parts of a robot of this model");
+    out->sensors = std::make_unique<Sensors>(*out->robot, world.p);
+    call.done();
+    return out.release();
+}
+
 void set_target(Built& robot, int joint, double target, double stiffness, double damping)
 {
     if (joint < 0 || joint >= int(robot.model().joints.size()) ||
@@ -303,6 +333,17 @@ void bind_robots(nb::module_& m)
         .def("control", [](const Built& s, int actuator) { return s.robot->control(actuator); })
         .def("set_control", set_control)
         .def("set_target", set_target)
+        .def("set_mocap", set_mocap)
+        .def("actuator_forces",
+             [](const Built& s) {
+                 Reals out;
+                 for (size_t i = 0; i < s.model().actuators.size(); ++i)
+                     out.push_back(s.robot->actuator_force(int(i)));
+                 return row(out);
+             })
+        .def("link_pose", [](const Built& s, int link) { return row(s.robot->link_pose(link_of(s, link))); })
+        .def("counterpart", counterpart)
+        .def_prop_ro("placement", [](const Built& s) { return row(s.robot->placement()); })
         .def("add_fluid_forces", add_fluid_forces)
         .def("add_forces", add_forces)
         .def("activation", [](const Built& s, int actuator) { return s.robot->activation(actuator); })

@@ -54,14 +54,28 @@ double Mjcf::angle(double value) const { return compiler_.degrees ? value * kDeg
 
 std::vector<Element> Mjcf::expand(const Element& element)
 {
+    static const std::set<std::string> users{"actuator", "sensor", "equality", "contact"};
     std::vector<Element> out;
     for (const Element& child : element.children()) {
         if (child.name() == "include")
             include(child, out);
+        else if (child.name() == "replicate")
+            replicate(child, out);
+        else if (users.count(element.name()))
+            copy_user(child, out);
         else
             out.push_back(child);
     }
     return out;
+}
+
+std::string Mjcf::path_of(const Element& element) const
+{
+    if (!element.node || element.node.type() == pugi::node_document) return "body";  // in a copy
+    const auto place = places_.find(element.document);
+    if (element.node == element.document->tree.document_element())
+        return place == places_.end() ? "" : place->second;
+    return MjcfNames::path_of(path_of({element.node.parent(), element.document}), element.name());
 }
 
 void Mjcf::include(const Element& element, std::vector<Element>& out)
@@ -81,7 +95,10 @@ void Mjcf::include(const Element& element, std::vector<Element>& out)
         if (!document) return reading_.error(element, "include '" + path + "': " + problem);
     }
     including_.push_back(path);
-    for (const Element& child : expand({document->tree.document_element(), document.get()}))
+    const Element inner{document->tree.document_element(), document.get()};
+    places_[document.get()] = path_of({element.node.parent(), element.document});
+    names_.check(inner, places_[document.get()]);
+    for (const Element& child : expand(inner))
         out.push_back(child);
     including_.pop_back();
 }
@@ -243,6 +260,7 @@ void Mjcf::read()
     world.name = "world";
     model_.links.push_back(world);
     including_.push_back(root_.file());
+    names_.check(root_, "");
     const std::vector<Element> sections = expand(root_);
     read_sections(sections, "compiler", &Mjcf::read_compiler);
     read_sections(sections, "option", &Mjcf::read_option);
@@ -250,6 +268,8 @@ void Mjcf::read()
     read_sections(sections, "asset", &Mjcf::read_assets);
     read_sections(sections, "worldbody", &Mjcf::read_world);
     set_total_mass();
+    for (Link& link : model_.links)
+        for (Lift& lift : link.lifts) lift.mass = link.mass, lift.centre = link.centre;
     make_fluid_boxes(model_);
     number_coordinates(model_);
     if (model_.has_errors()) return;

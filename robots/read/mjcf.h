@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The reader of MJCF, in five files: the document (compiler, assets, includes), the tree of bodies, height fields, tendons, and what acts on it
+// The reader of MJCF, in six files: the document (compiler, assets, includes), copies, the tree of bodies, height fields, tendons, and what acts on it
 // (actuators, equalities, contacts, keys). Sections may stand in any order and be divided over files, so
 // they are collected first and read in the order in which they need each other.
 #pragma once
@@ -12,12 +12,14 @@
 #include "robots/inertia.h"
 #include "robots/mass_factor.h"
 #include "robots/read/mjcf_defaults.h"
+#include "robots/read/mjcf_names.h"
 
 namespace epode::robots {
 
 class Mjcf {
   public:
-    Mjcf(const Element& root, Reading& reading) : root_(root), reading_(reading), model_(reading.model) {}
+    Mjcf(const Element& root, Reading& reading) : root_(root), reading_(reading), model_(reading.model), names_(reading)
+    {}
     void read();
 
   private:
@@ -54,6 +56,13 @@ class Mjcf {
     // Children with the files that they include in place.
     std::vector<Element> expand(const Element& element);
     void include(const Element& element, std::vector<Element>& out);
+    std::string path_of(const Element& element) const;  // as mjcf_names.h has it, through includes
+    // mjcf_copies.cpp
+    void copy_element(const Element& from, pugi::xml_node to, const std::string& suffix);
+    void copy_times(const Element& replicate, pugi::xml_node to, const std::string& suffix);
+    void replicate(const Element& element, std::vector<Element>& out);
+    void copy_user(const Element& element, std::vector<Element>& out);
+
     void read_compiler(const Element& element);
     void read_option(const Element& element);
     void read_flag(const Element& flag);
@@ -117,10 +126,15 @@ class Mjcf {
     void read_actuators(const Element& section);
     void read_actuator(const Attributes& attributes);
     bool find_target(const Attributes& attributes, Actuator& actuator);
+    bool find_direction(const Attributes& attributes, Actuator& actuator);
     void read_gains(const Attributes& attributes, Actuator& actuator);
     void read_activation(const Attributes& attributes, Actuator& actuator);
     void read_filter(const Attributes& attributes, Actuator& actuator);
     double damping_of(const Actuator& actuator, double ratio);
+    void read_muscle(const Attributes& attributes, Actuator& actuator);
+    void find_lengths(const Attributes& attributes, Actuator& actuator);
+    double acceleration_of(const Actuator& actuator);
+    std::vector<double> moment_of(const Actuator& actuator);
     void read_cylinder(const Attributes& attributes, Actuator& actuator);
     void read_equalities(const Element& section);
     void read_general_gains(const Attributes& attributes, Actuator& actuator);
@@ -132,6 +146,7 @@ class Mjcf {
     bool read_line(const Attributes& attributes, std::array<double, 2>& line, Coupling& coupling);
     void read_contacts(const Element& section);
     void read_keys(const Element& section);
+    void read_mocap(const Element& element, Start& start);
     void read_sensors(const Element& section);
 
     bool list(const Attributes& attributes, const char* name, size_t least, size_t largest,
@@ -153,6 +168,11 @@ class Mjcf {
     std::map<std::string, std::unique_ptr<Document>> documents_;
     std::vector<std::string> including_;
     size_t includes_ = 0;
+    std::map<std::string, std::vector<std::string>> copies_;  // of names that are replicated, what stands behind them
+    std::map<const void*, std::unique_ptr<pugi::xml_document>> replicas_;  // by what was copied
+    int copied_ = 0;
+    MjcfNames names_;
+    std::map<const Document*, std::string> places_;  // of included files: the path of what includes them
     std::map<int, std::array<double, 2>> springs_;  // time constant and damping ratio, by joint
     std::optional<MassFactor> masses_;
     bool touches_ = true;  // no contacts: geoms are looks

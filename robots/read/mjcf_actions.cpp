@@ -2,6 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Actuators, equalities, contacts, keys and sensors: see mjcf.h.
+#include <algorithm>
+
 #include "robots/read/mjcf.h"
 #include "robots/sensor_kinds.h"
 #include "robots/tendon.h"
@@ -29,12 +31,26 @@ bool Mjcf::find_target(const Attributes& a, Actuator& actuator)
                       "actuator '" + actuator.name + "' of the tendon '" + tendon + "', which is not read");
         return false;
     }
-    if (actuator.joint >= 0 && !model_.joints[size_t(actuator.joint)].is_scalar()) {
-        reading_.note(Note::kIgnored, a.element(),
-                      "actuator '" + actuator.name + "' of a ball or free joint");
-        return false;
-    }
-    return true;
+    if (actuator.joint < 0 || model_.joints[size_t(actuator.joint)].is_scalar()) return true;
+    return find_direction(a, actuator);
+}
+
+// Of a ball's: the gear is along the link's axes. A servo along one of them alone is a drive's.
+bool Mjcf::find_direction(const Attributes& a, Actuator& actuator)
+{
+    const bool is_ball = model_.joints[size_t(actuator.joint)].kind == JointKind::kBall;
+    std::vector<double> gear;
+    list(a, "gear", 1, 6, gear);
+    gear.resize(3, 0);
+    if (!a.has("gear")) gear[0] = 1;
+    actuator.direction = {gear[0], gear[1], gear[2]};
+    const bool is_aligned = (gear[0] != 0) + (gear[1] != 0) + (gear[2] != 0) == 1;
+    if (is_ball && (actuator.kind == "motor" || is_aligned) && !a.element().has("jointinparent")) return true;
+    reading_.note(Note::kIgnored, a.element(),
+                  "actuator '" + actuator.name +
+                      (is_ball ? "' of a ball, which is neither a motor nor along one of the link's axes"
+                               : "' of a free joint"));
+    return false;
 }
 
 void Mjcf::read_gains(const Attributes& a, Actuator& actuator)
@@ -44,6 +60,13 @@ void Mjcf::read_gains(const Attributes& a, Actuator& actuator)
         read_general_gains(a, actuator);
     } else if (actuator.kind == "cylinder") {
         read_cylinder(a, actuator);
+    } else if (actuator.kind == "muscle") {
+        read_muscle(a, actuator);
+    } else if (actuator.kind == "damper") {
+        actuator.gain = 0;
+        number(a, "kv", kv), actuator.gain_velocity = -(a.has("kv") ? kv : 1);
+        if (actuator.gain_velocity > 0 || actuator.low < 0)
+            reading_.error(a.element(), "the damper '" + actuator.name + "' has a negative kv or control");
     } else if (actuator.kind != "motor") {
         number(a, "kp", kp), number(a, "kv", kv);
         const bool is_servo = actuator.kind != "velocity";
@@ -53,20 +76,14 @@ void Mjcf::read_gains(const Attributes& a, Actuator& actuator)
         if (is_servo && number(a, "dampratio", ratio) && ratio > 0 && kp > 0)
             actuator.bias_velocity = damping_of(actuator, ratio);
     }
-    read_activation(a, actuator);
+    if (!actuator.muscle.acts) read_activation(a, actuator);
 }
 
 // 2 z sqrt(kp m), with the mass m that the actuator feels through its gear at the reference position.
 double Mjcf::damping_of(const Actuator& actuator, double ratio)
 {
     if (!masses().is_good()) return 0;
-    std::vector<double> moment(masses().size(), 0);
-    if (actuator.joint >= 0)
-        moment[size_t(velocity_of(model_, actuator.joint))] = 1;
-    else
-        moment = tendon_moments(model_, reference_positions(model_), std::array{actuator.tendon});
-    for (double& one : moment) one *= actuator.gear;
-    return 2 * ratio * std::sqrt(actuator.gain / masses().inverse_mass(moment.data()));
+    return 2 * ratio * std::sqrt(actuator.gain / masses().inverse_mass(moment_of(actuator).data()));
 }
 
 // What stands between control and force, as words to be written again (the kinds that are written as others need those) and, of
@@ -136,13 +153,96 @@ void Mjcf::read_general_gains(const Attributes& a, Actuator& actuator)
         values.resize(3, 0);
         actuator.bias = values[0], actuator.bias_position = -values[1], actuator.bias_velocity = -values[2];
     }
+    if (a.text("gaintype") == "muscle" && a.text("biastype") == "muscle") return read_muscle(a, actuator);
     for (const char* kind : {"gaintype", "biastype"}) {
         const std::string text = a.text(kind);
         if (!text.empty() && text != "fixed" && text != "none" && text != "affine")
             reading_.note(Note::kIgnored, a.element(), std::string(kind) + " " + text);
     }
-    if (a.text("gaintype") == "affine")
-        reading_.note(Note::kApproximated, a.element(), "affine gain as a constant one");
+    if (a.text("gaintype") != "affine" || !list(a, "gainprm", 1, 10, values)) return;
+    values.resize(3, 0);
+    actuator.gain_position = values[1], actuator.gain_velocity = values[2];
+}
+
+// Of a <muscle> by name, of a <general> in this order.
+void Mjcf::read_muscle(const Attributes& a, Actuator& actuator)
+{
+    Muscle& m = actuator.muscle;
+    double* const all[] = {&m.low,     &m.high,    &m.force,   &m.scale,    &m.shortest,
+                           &m.longest, &m.fastest, &m.passive, &m.eccentric};
+    std::vector<double> values;
+    m.acts = true;
+    if (actuator.kind == "general") {
+        if (list(a, "gainprm", 1, 10, values))
+            for (size_t i = 0; i < std::min(values.size(), std::size(all)); ++i) *all[i] = values[i];
+    } else {
+        if (list(a, "range", 2, 2, values)) m.low = values[0], m.high = values[1];
+        const char* const names[] = {"force", "scale", "lmin", "lmax", "vmax", "fpmax", "fvmax"};
+        for (size_t i = 0; i < std::size(names); ++i) number(a, names[i], *all[2 + i]);
+    }
+    Activation& filter = actuator.filter;
+    filter.kind = Activation::Kind::kMuscle, filter.time = 0.01, filter.slower = 0.04;
+    const char* const times = actuator.kind == "general" ? "dynprm" : "timeconst";
+    if (list(a, times, 1, 10, values)) {
+        filter.time = values[0];
+        if (values.size() > 1) filter.slower = values[1];
+        if (values.size() > 2) filter.smooth = values[2];
+    }
+    if (actuator.kind != "general") number(a, "tausmooth", filter.smooth);
+    if (list(a, "lengthrange", 2, 2, values) && values[0] < values[1])
+        m.length_low = values[0], m.length_high = values[1];
+    else
+        find_lengths(a, actuator);
+    if (m.force < 0) m.force = m.scale / acceleration_of(actuator);
+    const bool is_good = m.high > m.low && m.shortest < 1 && m.longest > 1 && m.fastest > 0 && m.eccentric > 1 &&
+                         filter.time > 0 && filter.slower > 0 && std::isfinite(m.force);
+    if (!is_good) reading_.error(a.element(), "actuator '" + actuator.name + "' is no muscle: its numbers do not fit");
+    reading_.note_once(Note::kChanged, a.element(), "muscles act where dRobotAddForces is called before a step");
+}
+
+// Where the file does not say between which lengths a muscle acts: MuJoCo looks for them, by pulling.
+void Mjcf::find_lengths(const Attributes& a, Actuator& actuator)
+{
+    Muscle& m = actuator.muscle;
+    const Joint* const joint = actuator.joint >= 0 ? &model_.joints[size_t(actuator.joint)] : nullptr;
+    const Tendon* const tendon = actuator.tendon >= 0 ? &model_.tendons[size_t(actuator.tendon)] : nullptr;
+    const double low = joint ? joint->low : tendon->low, high = joint ? joint->high : tendon->high;
+    if (!std::isfinite(low) || !std::isfinite(high) || low >= high)
+        return reading_.error(a.element(), "the muscle '" + actuator.name +
+                                               "' says no lengthrange, and what it moves has no limits; MuJoCo "
+                                               "finds one by simulation: state it");
+    const auto [from, to] = std::minmax({actuator.gear * low, actuator.gear * high});
+    m.length_low = from, m.length_high = to;
+    reading_.note(Note::kApproximated, a.element(),
+                  "the muscle '" + actuator.name + "' acts between the limits of what it moves");
+}
+
+// |M^-1 b|, of the accelerations that a force of 1 N on the actuator causes at the reference position.
+double Mjcf::acceleration_of(const Actuator& actuator)
+{
+    if (!masses().is_good()) return 0;
+    const std::vector<double> force = masses().halfway(moment_of(actuator).data());
+    double sum = 0;
+    for (size_t i = 0; i < masses().size(); ++i) {
+        std::vector<double> unit(masses().size(), 0);
+        unit[i] = 1;
+        const std::vector<double> its = masses().halfway(unit.data());
+        double part = 0;
+        for (size_t k = 0; k < its.size(); ++k) part += its[k] * force[k];
+        sum += part * part;
+    }
+    return std::sqrt(sum);
+}
+
+std::vector<double> Mjcf::moment_of(const Actuator& actuator)
+{
+    std::vector<double> moment(masses().size(), 0);
+    if (actuator.joint >= 0)
+        moment[size_t(velocity_of(model_, actuator.joint))] = 1;
+    else
+        moment = tendon_moments(model_, reference_positions(model_), std::array{actuator.tendon});
+    for (double& one : moment) one *= actuator.gear;
+    return moment;
 }
 
 void Mjcf::read_actuator(const Attributes& a)
@@ -152,11 +252,13 @@ void Mjcf::read_actuator(const Attributes& a)
     actuator.line = a.element().line();
     const std::string& kind = actuator.kind;
     static const std::set<std::string> known{"motor",   "position", "velocity",
-                                             "general", "cylinder", "intvelocity"};
+                                             "general", "cylinder", "intvelocity",
+                                             "muscle",  "damper"};
     if (!known.count(kind)) return reading_.note(Note::kIgnored, a.element(), "an actuator <" + kind + ">");
     if (!find_target(a, actuator)) return;
     std::vector<double> values;
     if (list(a, "gear", 1, 6, values)) actuator.gear = values[0];
+    if (length(actuator.direction) > 0) actuator.gear = 1;
     if (list(a, "ctrlrange", 2, 2, values) && is_limited(a, "ctrllimited", "ctrlrange"))
         actuator.low = values[0], actuator.high = values[1];
     if (list(a, "forcerange", 2, 2, values) && is_limited(a, "forcelimited", "forcerange"))
@@ -327,6 +429,19 @@ void Mjcf::read_contacts(const Element& section)
     }
 }
 
+void Mjcf::read_mocap(const Element& element, Start& start)
+{
+    for (const Link& link : model_.links)
+        if (link.is_mocap) start.mocap.push_back(link.pose);
+    const size_t n = start.mocap.size();
+    std::vector<double> p, q;
+    if (reading_.numbers(element, element.text("mpos"), "mpos", 3 * n, 3 * n, p))
+        for (size_t i = 0; i < n; ++i) start.mocap[i].p = {p[3 * i], p[3 * i + 1], p[3 * i + 2]};
+    if (reading_.numbers(element, element.text("mquat"), "mquat", 4 * n, 4 * n, q))
+        for (size_t i = 0; i < n; ++i)
+            start.mocap[i].q = normalised({q[4 * i], q[4 * i + 1], q[4 * i + 2], q[4 * i + 3]});
+}
+
 void Mjcf::read_keys(const Element& section)
 {
     for (const Element& element : expand(section)) {
@@ -338,6 +453,7 @@ void Mjcf::read_keys(const Element& section)
         else if (!reading_.numbers(element, element.text("qpos"), "qpos", count, count, start.positions))
             continue;
         parse_numbers(element.text("ctrl"), start.controls);
+        read_mocap(element, start);
         model_.starts.push_back(start);
     }
 }

@@ -84,7 +84,7 @@ Pose Mjcf::pose_of(const Attributes& attributes)
 // Bodies that others must build first: what is in them is not read.
 bool Mjcf::has_no_place(const Element& element)
 {
-    static const std::set<std::string> none{"composite", "flexcomp", "plugin", "replicate", "attach"};
+    static const std::set<std::string> none{"composite", "flexcomp", "plugin", "attach"};
     if (!none.count(element.name())) return false;
     reading_.note(element.name() == "plugin" ? Note::kIgnored : Note::kError, element,
                   "<" + element.name() + "> in a body is not read");
@@ -151,14 +151,12 @@ void Mjcf::read_children(const std::vector<Element>& children, const Scope& scop
         inner.link = int(model_.links.size());
         inner.pose = {};
         model_.links.push_back(link);
-        if (child.text("mocap") == "true")
-            reading_.note(Note::kApproximated, child, "the mocap body '" + link.name + "' stands still");
+        model_.links.back().is_mocap = child.text("mocap") == "true";
+        if (model_.links.back().is_mocap && scope.link != 0)
+            return reading_.error(child, "the mocap body '" + link.name + "' is no child of the world");
         double share = 0;
-        reading_.number(child, "gravcomp", share);
-        model_.links.back().is_weightless = share == 1;
-        if (share != 0 && share != 1)
-            reading_.note(Note::kIgnored, child,
-                          "gravcomp of the body '" + link.name + "' is neither 0 nor 1");
+        if (reading_.number(child, "gravcomp", share) && share != 0)
+            model_.links.back().lifts.push_back({{}, 0, share});
         read_bodies(child, inner);
     }
 }
@@ -182,6 +180,8 @@ void Mjcf::read_inertial(const Attributes& attributes, const Pose& frame, Inerti
 void Mjcf::read_free_joint(const Attributes& a, const Scope& scope)
 {
     const Element& element = a.element();
+    if (model_.links[size_t(scope.link)].is_mocap)
+        return reading_.error(element, "a body that the program moves (mocap) has no joints");
     Joint joint;
     joint.kind = JointKind::kFree, joint.name = element.text("name");
     joint.link = scope.link, joint.line = element.line();
@@ -227,6 +227,8 @@ void Mjcf::read_joint(const Attributes& a, const Scope& scope)
     if (type == "free") return read_free_joint(a, scope);
     if (!type.empty() && type != "slide" && type != "ball" && type != "hinge")
         return reading_.error(a.element(), "joint type '" + type + "'; there are hinge, slide, ball, free");
+    if (model_.links[size_t(scope.link)].is_mocap)
+        return reading_.error(a.element(), "a body that the program moves (mocap) has no joints");
     Joint joint;
     joint.name = a.element().text("name"), joint.link = scope.link, joint.line = a.element().line();
     joint.kind = kind_of(type);
@@ -269,7 +271,7 @@ bool Mjcf::read_range(const Attributes& a, Joint& joint)
     if (number(a, "ref", joint.reference)) joint.reference = in_rad(joint.reference);
     if (number(a, "springref", joint.spring_reference))
         joint.spring_reference = in_rad(joint.spring_reference);
-    if (!joint.limited || joint.kind == JointKind::kBall || joint.low <= joint.high) return true;
+    if (!joint.limited || joint.low <= joint.high) return true;
     reading_.error(a.element(), "joint '" + joint.name + "' has a range that ends before it begins");
     return false;
 }
@@ -437,7 +439,9 @@ void Mjcf::read_geom(const Attributes& a, const Scope& scope, Inertia& of_geoms)
     if (list(a, "rgba", 4, 4, values))
         for (size_t i = 0; i < 4; ++i) shape.color[i] = float(values[i]);
     read_softness(a, {"solref", "solimp"}, shape.softness);
-    for (const char* soft : {"solref", "solimp", "margin", "gap", "priority", "fluidshape"})
+    double priority = 0;
+    if (number(a, "priority", priority)) shape.priority = int(std::clamp(priority, -1e6, 1e6));
+    for (const char* soft : {"solref", "solimp", "margin", "gap", "fluidshape"})
         if (a.has(soft)) reading_.note_once(Note::kApproximated, a.element(), std::string("geom ") + soft);
     add_mass(a, shape, of_geoms);
     Link& link = model_.links[size_t(scope.link)];

@@ -71,6 +71,7 @@ class MjcfWriter {
     void write_reference(Node its, const Sensor& sensor) const;
     void write_sensors();
     void note_losses();
+    Node body_of(int link, const Shape& shape);
     Node section(const char* name);
 
     const RobotModel& model_;
@@ -78,7 +79,8 @@ class MjcfWriter {
     pugi::xml_document document_;
     Node root_;
     std::vector<std::string> links_, joints_, tendons_;
-    std::vector<Node> bodies_;
+    std::vector<Node> bodies_, still_bodies_;
+    std::vector<std::string> still_;  // names of what stands apart
     Names sites_, geoms_, tendon_names_;
     std::vector<std::string> frames_;                   // names of the model's, as written
     std::vector<std::vector<std::string>> geom_names_;  // by link: of what touches, then of looks
@@ -96,6 +98,8 @@ void MjcfWriter::name_all()
     Names links, joints;
     for (size_t i = 0; i < model_.links.size(); ++i)
         links_.push_back(links.unique(i ? model_.links[i].name : "world", "body", i));
+    for (size_t i = 0; i < model_.still.size(); ++i)
+        still_.push_back(links.unique(model_.still[i], "still", i));
     for (size_t i = 0; i < model_.joints.size(); ++i)
         joints_.push_back(joints.unique(model_.joints[i].name, "joint", i));
     for (size_t i = 0; i < model_.tendons.size(); ++i)
@@ -266,28 +270,44 @@ std::string MjcfWriter::write_geom(Node body, const Shape& shape, bool touches)
     set(geom, "contype", touches ? double(shape.category) : 0),
         set(geom, "conaffinity", touches ? double(shape.collide) : 0);
     if (!touches) return name;
+    if (shape.priority != 0) set(geom, "priority", double(shape.priority));
     set(geom, "condim", shape.dimensions > 3 || shape.friction > 0 ? shape.dimensions : 1);
     set(geom, "friction", list_text({shape.friction, shape.torsional_friction, shape.rolling_friction}));
     write_softness(geom, "solref", "solimp", shape.softness);
     return name;
 }
 
+// What of the world does not touch some link is a body of its own again.
+Node MjcfWriter::body_of(int link, const Shape& shape)
+{
+    return shape.still > 0 ? still_bodies_[size_t(shape.still) - 1] : bodies_[size_t(link)];
+}
+
 void MjcfWriter::write_bodies()
 {
     bodies_.resize(model_.links.size());
     bodies_[0] = root_.append_child("worldbody");
+    for (const std::string& name : still_) {
+        still_bodies_.push_back(bodies_[0].append_child("body"));
+        set(still_bodies_.back(), "name", name);
+    }
     for (size_t i = 0; i < model_.links.size(); ++i) {
         const Link& link = model_.links[i];
         if (i > 0) {
             bodies_[i] = bodies_[size_t(link.parent)].append_child("body");
             set(bodies_[i], "name", links_[i]);
             write_pose(bodies_[i], link.pose);
+            if (link.is_mocap) set(bodies_[i], "mocap", "true");
             if (link.is_weightless) set(bodies_[i], "gravcomp", 1.0);
+            if (link.lifts.size() == 1 && link.lifts[0].mass == link.mass)
+                set(bodies_[i], "gravcomp", link.lifts[0].share);
+            else if (!link.lifts.empty())
+                losses_.add("links that are merged have one share of gravity: load with keep_fixed");
             write_inertial(bodies_[i], link);
         }
         for (int joint : link.joints) write_joint(bodies_[i], size_t(joint));
         std::vector<std::string>& names = geom_names_.emplace_back();
-        for (const Shape& shape : link.shapes) names.push_back(write_geom(bodies_[i], shape, true));
+        for (const Shape& shape : link.shapes) names.push_back(write_geom(body_of(int(i), shape), shape, true));
         for (const Shape& shape : link.visuals) names.push_back(write_geom(bodies_[i], shape, false));
     }
     for (size_t i = 0; i < model_.frames.size(); ++i) {
@@ -437,7 +457,9 @@ void MjcfWriter::write_tendons()
 // What the short kinds do not say is a general one.
 std::string kind_of(const Actuator& a)
 {
-    const bool is_plain = a.bias == 0 && a.activation.empty();
+    if (a.muscle.acts) return "muscle";
+    const bool is_plain =
+        a.bias == 0 && a.activation.empty() && a.gain_position == 0 && a.gain_velocity == 0;
     if (a.kind == "position" && is_plain && a.gain == a.bias_position) return a.kind;
     if (a.kind == "velocity" && is_plain && a.gain == a.bias_velocity && a.bias_position == 0) return a.kind;
     const bool is_motor =
@@ -449,8 +471,21 @@ void MjcfWriter::write_gains(Node actuator, const Actuator& from, const std::str
 {
     if (kind == "position") set(actuator, "kp", from.gain);
     if (kind == "position" || kind == "velocity") set(actuator, "kv", from.bias_velocity);
+    if (kind == "muscle") {
+        const Muscle& m = from.muscle;
+        set(actuator, "timeconst", list_text({from.filter.time, from.filter.slower}));
+        set(actuator, "tausmooth", from.filter.smooth), set(actuator, "range", range_of(m.low, m.high));
+        set(actuator, "lengthrange", range_of(m.length_low, m.length_high));
+        const std::pair<const char*, double> numbers[] = {
+            {"force", m.force},  {"lmin", m.shortest}, {"lmax", m.longest},   {"vmax", m.fastest},
+            {"fpmax", m.passive}, {"fvmax", m.eccentric}};
+        for (const auto& [name, value] : numbers) set(actuator, name, value);
+    }
     if (kind != "general") return;
-    set(actuator, "gainprm", from.gain), set(actuator, "biastype", "affine");
+    const bool is_affine = from.gain_position != 0 || from.gain_velocity != 0;
+    if (is_affine) set(actuator, "gaintype", "affine");
+    set(actuator, "gainprm", is_affine ? list_text({from.gain, from.gain_position, from.gain_velocity}) : text_of(from.gain));
+    set(actuator, "biastype", "affine");
     set(actuator, "biasprm", list_text({from.bias, -from.bias_position, -from.bias_velocity}));
 }
 
@@ -462,7 +497,10 @@ void MjcfWriter::write_actuators()
         if (!actuator.name.empty()) set(its, "name", actuator.name);
         if (actuator.joint >= 0) set(its, "joint", joints_[size_t(actuator.joint)]);
         if (actuator.joint < 0) set(its, "tendon", tendons_[size_t(actuator.tendon)]);
-        set(its, "gear", actuator.gear);
+        if (length(actuator.direction) > 0)
+            set(its, "gear", text_of(actuator.direction) + " 0 0 0");
+        else
+            set(its, "gear", actuator.gear);
         const bool clamps_control = std::isfinite(actuator.low) || std::isfinite(actuator.high),
                    clamps_force = std::isfinite(actuator.force_low) || std::isfinite(actuator.force_high);
         set(its, "ctrllimited", yes(clamps_control)), set(its, "forcelimited", yes(clamps_force));
@@ -479,11 +517,21 @@ void MjcfWriter::write_contacts_and_keys()
         Node its = section("contact").append_child("exclude");
         set(its, "body1", links_[size_t(pair[0])]), set(its, "body2", links_[size_t(pair[1])]);
     }
+    for (const auto& pair : model_.excluded_still) {
+        Node its = section("contact").append_child("exclude");
+        set(its, "body1", links_[size_t(pair[0])]), set(its, "body2", still_[size_t(pair[1]) - 1]);
+    }
     for (const Start& start : model_.starts) {
         Node its = section("keyframe").append_child("key");
         if (!start.name.empty()) set(its, "name", start.name);
         set(its, "qpos", list_text(start.positions));
         if (!start.controls.empty()) set(its, "ctrl", list_text(start.controls));
+        std::vector<double> places, turns;
+        for (const Pose& pose : start.mocap) {
+            places.insert(places.end(), {pose.p.x, pose.p.y, pose.p.z});
+            turns.insert(turns.end(), {pose.q.w, pose.q.x, pose.q.y, pose.q.z});
+        }
+        if (!places.empty()) set(its, "mpos", list_text(places)), set(its, "mquat", list_text(turns));
     }
 }
 

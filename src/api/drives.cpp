@@ -229,6 +229,25 @@ int dJointGetStopSpring(dJointID j, int axis, dReal* stiffness, dReal* damping)
     return get_spring(stops->stop_spring, stiffness, damping);
 }
 
+int dJointSetStopRate(dJointID j, int axis, dReal rate)
+{
+    AXIS_OR(0);
+    LimitMotor* const stops = stops_of(*joint, axis);
+    EPODE_USER_SAY(stops, "the axis has no stops", 0);
+    EPODE_USER_SAY(usable_or_infinite(rate) && rate > 0, "the rate is not above 0", 0);
+    EPODE_USER_SAY(!is_busy(*joint), busy_text(*joint->world), 0);
+    change_value(*joint, [&] { return stops->stop_rate; }, [&] { stops->stop_rate = rate; });
+    return 1;
+}
+
+dReal dJointGetStopRate(dJointID j, int axis)
+{
+    AXIS_OR(0);
+    LimitMotor* const stops = stops_of(*joint, axis);
+    EPODE_USER_SAY(stops, "the axis has no stops", 0);
+    return stops->stop_rate;
+}
+
 int dJointSetSpring(dJointID j, dReal stiffness, dReal damping)
 {
     JOINT_OR(0);

@@ -16,6 +16,7 @@ bool usable_rule(int rule) { return rule >= dCombineDefault && rule <= dCombineM
 
 // A float, and times a zero still zero.
 constexpr Real kMostFriction = Real(1e6);
+constexpr int kMostPriority = 1'000'000;
 constexpr Real kHardest = Real(1e-9), kMostRolling = Real(1e6), kSoftest = Real(1e9), kSlowest = Real(1e6);
 
 Real combined(int rule, Real a, Real b)
@@ -32,8 +33,19 @@ Real combined(int rule, Real a, Real b)
     }
 }
 
+// The one whose coefficients count alone; null: both.
+const dMaterial* foremost(const dMaterial& a, const dMaterial& b)
+{
+    if (a.priority == b.priority) return nullptr;
+    return a.priority > b.priority ? &a : &b;
+}
+
 void combine_friction(const dMaterial& a, const dMaterial& b, ContactManifold& manifold)
 {
+    if (const dMaterial* const its = foremost(a, b)) {
+        manifold.mu = float(std::min(its->friction, kMostFriction));
+        return;
+    }
     const int rule = std::max(a.friction_rule, b.friction_rule);
     const Real mu = rule == dCombineDefault ? std::sqrt(a.friction) * std::sqrt(b.friction)
                                             : combined(rule, a.friction, b.friction);
@@ -57,6 +69,11 @@ static_assert(kDefaultMaterial.bounce == 0 && kDefaultMaterial.rolling_friction 
 void combine_others(const dMaterial& a, const dMaterial& b, ContactManifold& manifold)
 {
     combine_compliance(a, b, manifold);
+    if (const dMaterial* const its = foremost(a, b)) {
+        manifold.restitution = float(its->bounce);
+        manifold.rolling_friction = float(std::min(its->rolling_friction, kMostRolling));
+        return;
+    }
     manifold.restitution = float(combined(std::max(a.bounce_rule, b.bounce_rule), a.bounce, b.bounce));
     const Real rolling = combined(std::max(a.rolling_friction_rule, b.rolling_friction_rule),
                                   a.rolling_friction, b.rolling_friction);
@@ -84,7 +101,7 @@ bool same(const dMaterial& a, const dMaterial& b)
 {
     const auto fields = [](const dMaterial& m) {
         return std::tie(m.friction, m.bounce, m.bounce_speed, m.rolling_friction, m.compliance,
-                        m.damping_time, m.friction_rule, m.bounce_rule, m.rolling_friction_rule);
+                        m.damping_time, m.friction_rule, m.bounce_rule, m.rolling_friction_rule, m.priority);
     };
     return fields(a) == fields(b) && load(a.surface_velocity) == load(b.surface_velocity);
 }
@@ -95,6 +112,7 @@ bool usable_material(const dMaterial& m)
 {
     if (!usable_rule(m.friction_rule) || !usable_rule(m.bounce_rule) || !usable_rule(m.rolling_friction_rule))
         return false;
+    if (m.priority < -kMostPriority || m.priority > kMostPriority) return false;
     for (const Real x : {m.rolling_friction, m.compliance, m.damping_time})
         if (!(x >= 0) || !usable(x)) return false;
     return m.friction >= 0 && usable_or_infinite(m.friction) && m.bounce >= 0 && m.bounce <= 1 &&

@@ -69,7 +69,8 @@ void LimitMotor::state(const World& world, StateStream& stream)
                         {&stop_cfm, world.cfm},
                         {&stop_spring.drive.stiffness, 0, false, 0},
                         {&stop_spring.drive.damping, 0, false, 0},
-                        {&turns.last, 0}},
+                        {&turns.last, 0},
+                        {&stop_rate, kInf, true, 0}},
                        (cfm_chosen ? 1u : 0u) | (stop_chosen ? 2u : 0u) | (stop_spring.acts ? 4u : 0u) |
                            (turns.continuous ? 8u : 0u) | (turns.follows ? 16u : 0u));
     if (!stream.stores()) return;
@@ -135,7 +136,7 @@ void LimitMotor::emit(const Joint& j, RowWriter& out, const Jacobian& jacobian, 
     if (!out.info().inner) note(value, rate);
     const bool unlimited_pull = pulls_away() && fmax == kInf && lo != hi;
     if (stop_ == Stop::kNone || unlimited_pull) return emit_motor(out, jacobian);
-    write_stop(out, jacobian, value);
+    write_stop(j, out, jacobian, value);
     if (fmax > 0 && fmax < kInf && lo != hi && !out.info().inner) push(j, out, jacobian);
 }
 
@@ -166,12 +167,21 @@ void LimitMotor::note(Real value, Real rate)
     restitution_velocity_ = -bounce * rate;
 }
 
-void LimitMotor::write_stop(RowWriter& out, const Jacobian& jacobian, Real value) const
+// Projection and poses that stops move (step/island/positions/stops.h) leave no velocity behind.
+Real LimitMotor::erp_of(const Joint& j, const RowWriter& out) const
+{
+    const World& world = *j.world;
+    const bool moves_poses =
+        world.projection_iterations > 0 || (!world.acts_as_ode() && world.contact_max_vel < kInf);
+    return moves_poses ? stop_erp : std::min(stop_erp, stop_rate / out.info().fps);
+}
+
+void LimitMotor::write_stop(const Joint& j, RowWriter& out, const Jacobian& jacobian, Real value) const
 {
     const bool servo = lo == hi;
     const Real error = (stop_ == Stop::kLow ? lo : hi) - value;
     Row& row = out.row(jacobian, error, servo ? RowKind::kLock : RowKind::kLimit);
-    row.erp = stop_erp;
+    row.erp = erp_of(j, out);
     row.cfm = stop_cfm;
     row.soft = stop_chosen;
     row.has_restitution = has_restitution_;

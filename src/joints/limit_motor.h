@@ -8,6 +8,9 @@
 //   x >= hi              J v <= erp/h (hi - x),  lambda <= 0
 //   lo = hi              J v = erp/h (lo - x),   unbounded: a servo spring through stop ERP and CFM
 //
+// With a rate r, erp/h is at most r where errors become velocities, which stay: an axis that begins far beyond a
+// stop does not leave it the faster, the smaller the step is.
+//
 // An angle is known up to whole turns: the turn is counted from step to step while there are stops or the
 // program wants it (turn_count.h). In a world with ODE's behaviour stops compare angles in -pi ... pi.
 //
@@ -71,13 +74,15 @@ struct LimitMotor {
     bool cfm_chosen = false, stop_chosen = false;  // set by the client, not the world's
     bool crossed_act = false;                      // stops with lo > hi count, the low one first
     Spring stop_spring;                            // in place of stop_erp and stop_cfm
+    Real stop_rate = kInf;                         // the largest share of an error that pushes back in 1 s
     TurnCount turns;                               // of an angle, in the sense of the stops
 
   private:
     enum class Stop : unsigned char { kNone, kLow, kHigh };
 
     void note(Real value, Real rate);
-    void write_stop(RowWriter& out, const Jacobian& jacobian, Real value) const;
+    void write_stop(const Joint& j, RowWriter& out, const Jacobian& jacobian, Real value) const;
+    Real erp_of(const Joint& j, const RowWriter& out) const;
     void push(const Joint& j, RowWriter& out, const Jacobian& jacobian) const;
     bool pulls_away() const;
 

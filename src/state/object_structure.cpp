@@ -58,6 +58,8 @@ void samples(Body& body, StructureStream& stream)
         stream.vector(body.sample_v[i]), stream.vector(body.sample_w[i]);
 }
 
+constexpr int kRules = 256;  // a power of two above all rules
+
 void material(Geom& geom, StructureStream& stream)
 {
     bool has = geom.material != nullptr;
@@ -67,7 +69,9 @@ void material(Geom& geom, StructureStream& stream)
     stream.real(m.friction, kInfinite), stream.real(m.bounce), stream.real(m.bounce_speed, kInfinite);
     stream.reals(m.surface_velocity, 3);
     for (Real* number : {&m.rolling_friction, &m.compliance, &m.damping_time}) stream.real(*number);
-    for (int* rule : {&m.friction_rule, &m.bounce_rule, &m.rolling_friction_rule}) stream.number(*rule);
+    int rule = m.friction_rule + kRules * m.priority;  // one number, as files of before priorities have it
+    for (int* number : {&rule, &m.bounce_rule, &m.rolling_friction_rule}) stream.number(*number);
+    m.friction_rule = rule & (kRules - 1), m.priority = (rule - m.friction_rule) / kRules;
     if (stream.saves() || stream.failed()) return;
     if (stream.demand(usable_material(m), "a material in it has a number that it cannot have"))
         stream.demand(set_material(geom, &m), kOutOfMemory);

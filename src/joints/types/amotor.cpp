@@ -10,12 +10,17 @@
 //   angle1 = -atan2(a2.a0, a2.(a0 x a1))
 //   angle2 = -atan2(b2.a1, b2.(a1 x a2))
 // and motors work along a1 x a2, a1, a0 x a1: the directions that change one angle and leave the others.
+//
+// Turn mode: the rotation of body 1 against body 2 from the turn where the mode was set, as a vector r along its axis n, as long as
+// its angle, 0 ... pi. The three axes are body 1's, with the components of r as positions; the stops of axis 0 hold |r|, whose row is
+// [ 0, n, 0, -n ]. axis_local then keeps body 1's axes as body 2 saw them at the time: F, so that R1 = R2 F exp(r).
 #include <algorithm>
 #include <cmath>
 
 #include "joints/access.h"
 #include "joints/reading.h"
 #include "math/trig.h"
+#include "ode/drives.h"
 
 namespace epode {
 
@@ -42,10 +47,15 @@ struct AMotor : LastingJoint {
     // In Euler mode the axis number decides, also when the joint is attached again the other way round.
     const Body* frame(int i) const
     {
+        if (mode == dAMotorTurn) return user_body(0);
         return mode == dAMotorEuler && i != 1 ? user_body(i / 2) : frame_of_rel(rel[i]);
     }
     const Body* frame_of_rel(int r) const { return r == 0 ? nullptr : node[r - 1].body; }
-    Vec3 given_axis(int i) const { return direction_to_world(frame(i), axis_local[i]); }
+    Vec3 given_axis(int i) const
+    {
+        return direction_to_world(frame(i), mode == dAMotorTurn ? unit(i) : axis_local[i]);
+    }
+    static Vec3 unit(int i) { return {Real(i == 0), Real(i == 1), Real(i == 2)}; }
     int user_rel(int r) const { return reverse && r > 0 ? 3 - r : r; }
 
     void plain_axes(Vec3 a[3]) const;
@@ -67,6 +77,8 @@ struct AMotor : LastingJoint {
     Real sense() const { return reverse && mode == dAMotorEuler ? Real(-1) : Real(1); }
     void emit(RowWriter& out);
     void emit_euler(int i, RowWriter& out, Vec3 axis);
+    Vec3 turn() const;  // r
+    void emit_turn(RowWriter& out);
 
     bool set_param(int param, Real value) { return set_by_group(motor, param, value); }
     bool get_param(int param, Real& value) const { return get_by_group(motor, param, value); }
@@ -78,7 +90,7 @@ struct AMotor : LastingJoint {
     }
     void structure(StructureStream& stream)
     {
-        stream.number(mode, int(dAMotorUser), dAMotorEuler + 1, "an angular motor of an unknown mode");
+        stream.number(mode, int(dAMotorUser), dAMotorTurn + 1, "an angular motor of an unknown mode");
         structure_of_axes(stream, count, rel, axis_local);
         stream.vector(reference1), stream.vector(reference2);
     }
@@ -131,6 +143,11 @@ void AMotor::take_references()
 {
     for (LimitMotor& m : motor) m.turns.follows = false;
     if (!attached()) return;
+    if (mode == dAMotorTurn) {
+        for (int i = 0; i < 3; ++i)
+            axis_local[i] = direction_to_local(user_body(1), direction_to_world(user_body(0), unit(i)));
+        return;
+    }
     reference1 = direction_to_local(user_body(0), given_axis(2));
     reference2 = direction_to_local(user_body(1), given_axis(0));
 }
@@ -163,6 +180,7 @@ JointAxis AMotor::axis_at(int i) const
         const Vec3 axis = given_axis(i);
         const Body* carries = frame(i);
         JointAxis at{angular_jacobian(*this, reverse ? -axis : axis), angle[i]};
+        if (mode == dAMotorTurn) at.value = turn()[i];
         if (carries) at.carrier = carrier_of(carries == body1() ? 0 : 1);
         return at;
     }
@@ -176,8 +194,26 @@ JointAxis AMotor::axis_at(int i) const
                        !motor[i].counts_turns(*this), carrier, reverse ? -a[i] : a[i]);
 }
 
+Vec3 AMotor::turn() const
+{
+    const Mat3 F = from_columns(axis_local[0], axis_local[1], axis_local[2]);
+    const Quat q = to_quat(transpose(rotation_of(user_body(1)) * F) * rotation_of(user_body(0)));
+    const Real s = length(q.vec()), theta = 2 * atan2(s, std::fabs(q.w));
+    return s > 0 ? ((q.w < 0 ? -theta : theta) / s) * q.vec() : Vec3{};
+}
+
+void AMotor::emit_turn(RowWriter& out)
+{
+    const Vec3 r = turn();
+    const Real theta = length(r);
+    const Vec3 n = direction_to_world(user_body(0), theta > 0 ? (1 / theta) * r : unit(0));
+    const Jacobian J = angular_jacobian(*this, reverse ? -n : n);
+    motor[0].emit(*this, out, J, theta, rate_along(*this, J));
+}
+
 void AMotor::emit(RowWriter& out)
 {
+    if (mode == dAMotorTurn) return emit_turn(out);
     Vec3 a[3];
     if (mode == dAMotorEuler) std::copy_n(euler().angle, 3, angle);
     motor_axes(a);
@@ -219,7 +255,7 @@ dJointID dJointCreateAMotor(dWorldID w, dJointGroupID g) { return create_joint<A
 void dJointSetAMotorNumAxes(dJointID id, int count)
 {
     AMotor* j = checked<AMotor>(id);
-    if (j && demand(count >= 0 && count <= 3, __func__)) j->count = j->mode == dAMotorEuler ? 3 : count;
+    if (j && demand(count >= 0 && count <= 3, __func__)) j->count = j->mode == dAMotorUser ? count : 3;
 }
 
 // In Euler mode, axes 0 and 2 belong to bodies 1 and 2: numbers given with rel 0 are taken as seen from them,
@@ -229,8 +265,8 @@ void dJointSetAMotorAxis(dJointID id, int i, int rel, dReal x, dReal y, dReal z)
     AMotor* j = motor_for_axis(id, i, __func__);
     Vec3 axis{x, y, z};
     if (!j || !demand(rel >= 0 && rel <= 2 && usable(axis) && normalize(axis), __func__)) return;
-    const bool fits = j->mode != dAMotorEuler || i == 1 || rel == 0 || rel == i / 2 + 1;
-    if (demand(fits, __func__)) j->set_axis(i, j->user_rel(rel), axis);
+    const bool fits = j->mode == dAMotorUser || i == 1 || rel == 0 || rel == i / 2 + 1;
+    if (demand(fits && j->mode != dAMotorTurn, __func__)) j->set_axis(i, j->user_rel(rel), axis);
 }
 
 // In Euler mode, axis 1 follows from the others and the angles are computed.
@@ -243,9 +279,9 @@ void dJointSetAMotorAngle(dJointID id, int i, dReal angle)
 void dJointSetAMotorMode(dJointID id, int mode)
 {
     AMotor* j = checked<AMotor>(id);
-    if (!j || !demand(mode == dAMotorUser || mode == dAMotorEuler, __func__)) return;
+    if (!j || !demand(mode >= dAMotorUser && mode <= dAMotorTurn, __func__)) return;
     j->mode = mode;
-    if (mode != dAMotorEuler) return;
+    if (mode == dAMotorUser) return;
     j->count = 3;
     j->take_references();
 }
@@ -274,6 +310,7 @@ int dJointGetAMotorAxisRel(dJointID id, int i)
 dReal dJointGetAMotorAngle(dJointID id, int i)
 {
     const AMotor* j = motor_for_axis(id, i, __func__);
+    if (j && j->mode == dAMotorTurn) return j->attached() ? j->turn()[i] : 0;
     return j ? j->angle[i] : 0;
 }
 
