@@ -41,6 +41,7 @@ WORDS = set("""
     factor file flags force frame friction from function functions geom g group handle head hit hits hole i id index info instance
     iterations joint k l left length level lines list m mass material mesh message mode moment motion mu n name normal
     num number offset on out over p pair parameter parts plane planes point points polygons position prefix problem
+    character feet struct_size height
     quality r radius range ratio ray rel requirements reserve resources room s scale seconds side size slip
     solid solution source space sphere start stats step stepper steps t text the threads threshold time tolerance
     angle backlash batch box by category contacts cooperative Data directions events geoms gravity lengths most origin other

@@ -31,8 +31,10 @@ extern "C" {
     the settings give. All vectors are in the world's frame.
 
     Refused: what is no character; null pointers; numbers that are not finite; [dCharacterMove] a character in
-    no space, in a space that is being collided or on a body; what each function names. Nothing changes then,
-    and the answer is 0. */
+    no space, in a space that is being collided or on a body; [dCharacterCreate] a space that is 0 or being
+    collided; [dCharacterCreate, dCharacterSetSettings] settings outside what each field says, or of a size
+    below that of their first two fields or above this library's; what each function names. Nothing changes
+    then, and the answer is 0. */
 
 /** Decides whether a character collides with another geom in one move: not if it returns 0. data is that of
     the settings, velocity is what the move was asked for. It is called once for each geom nearby, the one
@@ -88,8 +90,7 @@ typedef struct dCharacterReport {
 ODE_API int dCharacterSettingsInit(dCharacterSettings* settings, unsigned struct_size);
 
 /** Create a character in the space with its feet at the origin; null settings are the defaults. Returns its
-    geom. Refused: a space that is 0 or being collided; settings outside what each field says, or of a size
-    below that of their first two fields or above this library's. [ours] */
+    geom. [ours] */
 ODE_API dGeomID dCharacterCreate(dSpaceID space, const dCharacterSettings* settings);
 
 /** Returns 1 if the geom is a character, else 0. [ours] */

@@ -37,6 +37,15 @@ struct dEventSettingsExt : public dEventSettings {
     dEventSettingsExt() { dEventSettingsInit(this, sizeof(dEventSettings)); }
 };
 
+/** Settings of a character with all defaults: dCharacterSettingsInit. */
+struct dCharacterSettingsExt : public dCharacterSettings {
+    dCharacterSettingsExt() { dCharacterSettingsInit(this, sizeof(dCharacterSettings)); }
+};
+/** A character's report that knows its size; all else is 0 at first. */
+struct dCharacterReportExt : public dCharacterReport {
+    dCharacterReportExt() : dCharacterReport() { struct_size = sizeof(dCharacterReport); }
+};
+
 /** A report that knows its size; all else is 0 at first. */
 struct dWorldStepReportExt : public dWorldStepReport {
     dWorldStepReportExt() : dWorldStepReport() { struct_size = sizeof(dWorldStepReport); }
@@ -293,6 +302,9 @@ class dGeomExt : public Shape {
     void setSensor(int mode) { dGeomSetSensor(geom(), mode); }
     int getSensor() const { return dGeomGetSensor(geom()); }
 
+    /** dGeomIsCharacter. */
+    int isCharacter() const { return dGeomIsCharacter(geom()); }
+
     /** dGeomGetDistance, dGeomCast. */
     int getDistance(dGeomID other, dReal max_distance, dQueryDistance* result) const
     {
@@ -302,6 +314,41 @@ class dGeomExt : public Shape {
     {
         return dGeomCast(geom(), motion, other, hit);
     }
+};
+
+/** A geom that walks: dCharacterCreate. */
+class dCharacter : public dGeom {
+  public:
+    /** Without a space there is no character yet; else it is made at once; settings 0: the defaults. */
+    dCharacter() {}
+    explicit dCharacter(dSpaceID space, const dCharacterSettings* settings = 0) { create(space, settings); }
+
+    /** Make a new character in the space; the one before is destroyed. */
+    void create(dSpaceID space, const dCharacterSettings* settings = 0)
+    {
+        own(dCharacterCreate(space, settings));
+    }
+
+    /** dCharacterMove, dCharacterWalk. */
+    int move(const dVector3 velocity, dReal h) { return dCharacterMove(_id, velocity, h); }
+    int walk(const dVector3 velocity, dReal jump_speed, dReal h)
+    {
+        return dCharacterWalk(_id, velocity, jump_speed, h);
+    }
+
+    /** dCharacterSetSettings, dCharacterGetSettings, dCharacterSetHeight. */
+    int setSettings(const dCharacterSettings* settings) { return dCharacterSetSettings(_id, settings); }
+    int getSettings(dCharacterSettings* settings) const { return dCharacterGetSettings(_id, settings); }
+    int setHeight(dReal height) { return dCharacterSetHeight(_id, height); }
+
+    /** The feet: dCharacterSetPosition, dCharacterGetPosition. */
+    void setFeet(dReal x, dReal y, dReal z) { dCharacterSetPosition(_id, x, y, z); }
+    int getFeet(dVector3 feet) const { return dCharacterGetPosition(_id, feet); }
+
+    /** dCharacterSetVelocity, dCharacterGetVelocity, dCharacterGetReport. */
+    void setVelocity(const dVector3 velocity) { dCharacterSetVelocity(_id, velocity); }
+    int getVelocity(dVector3 velocity) const { return dCharacterGetVelocity(_id, velocity); }
+    int getReport(dCharacterReport* report) const { return dCharacterGetReport(_id, report); }
 };
 
 /** The convex hull of points: dCreateConvexHull. */

@@ -18,7 +18,7 @@ void put_height(Geom& geom, Real height, Vec3 foot)
     geom.box_stale = true;
 }
 
-bool has_room(Geom& geom)
+bool stands_free(Geom& geom)
 {
     Surroundings around(geom, {});
     if (!geom.space) return true;
@@ -59,7 +59,7 @@ bool change_height(Geom& geom, Real height)
     const Real before = 2 * half_height(geom);
     const Vec3 foot = foot_of(geom), centre = load(geom.own_position);
     put_height(geom, height, foot);
-    if (height > before && !has_room(geom)) {
+    if (height > before && !stands_free(geom)) {
         put_height(geom, before, foot);
         store(geom.own_position, centre);
         return false;

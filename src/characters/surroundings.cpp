@@ -37,7 +37,7 @@ Triangle placed(const Triangle& t, const Pose& pose)
     return out;
 }
 
-bool asks(const dCharacterSettings& s, Geom& self, Geom& other, Vec3 velocity)
+bool admitted(const dCharacterSettings& s, Geom& self, Geom& other, Vec3 velocity)
 {
     if (!s.filter) return true;
     dVector3 v = {};
@@ -59,7 +59,7 @@ bool Surroundings::collect(Space& space, const Aabb& region)
     const GeomHold hold(self_, settings.filter != nullptr);
     const CandidateLock lock(settings.filter ? &space : nullptr, near_);
     for (Geom* geom : near_)
-        if (is_met(self_, *geom) && asks(settings, self_, *geom, velocity_) && !add(*geom, region))
+        if (is_met(self_, *geom) && admitted(settings, self_, *geom, velocity_) && !add(*geom, region))
             return false;
     return true;
 }

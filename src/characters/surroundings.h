@@ -61,7 +61,7 @@ class Surroundings {
     Real tolerance() const { return skin_ * (kSingle ? Real(1e-2) : Real(1e-4)); }
 
   private:
-    struct Way {
+    struct Candidate {
         Real least;
         int obstacle;
     };
@@ -86,7 +86,7 @@ class Surroundings {
     Array<ConvexView> solids_;
     Array<Plane> planes_;
     Array<Triangle> triangles_;
-    mutable Array<Way> ways_;
+    mutable Array<Candidate> candidates_;
 };
 
 template <typename Ignored>
@@ -96,14 +96,14 @@ Touch Surroundings::cast(Vec3 centre, Vec3 motion, Ignored&& ignored) const
     Vec3 along = motion;
     const Real far = length(motion);
     if (!normalize(along)) return best;
-    ways_.clear();
+    candidates_.clear();
     for (int i = 0; i < count(); ++i) {
         const Real least = least_way(i, centre, along, far);
-        if (least <= far && !ignored(i) && !ways_.push({least, i})) break;
+        if (least <= far && !ignored(i) && !candidates_.push({least, i})) break;
     }
     for (;;) {  // the one that may be nearest first
-        Way* next = nullptr;
-        for (Way& way : ways_)
+        Candidate* next = nullptr;
+        for (Candidate& way : candidates_)
             if (way.least < (next ? next->least : best.distance)) next = &way;
         if (!next || next->least > far) break;
         const Real limit = best.obstacle < 0 ? far : best.distance;

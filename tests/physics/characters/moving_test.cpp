@@ -162,21 +162,21 @@ TEST_P(Moving, weighs_on_what_it_stands_on)
     EXPECT_GT(weighed, 0);
 }
 
-TEST_P(Moving, lets_a_sleeping_body_sleep_that_it_stands_beside_and_on)
+TEST_P(Moving, lets_a_sleeping_body_sleep_that_it_stands_on_or_next_to)
 {
     Stage stage(dDefaultsGame);
     stage.floor();
     const dBodyID crate = stage.heavy_box({1, 0, 0.25}, {1, 1, 0.5}, 50);
     for (int i = 0; i * h() < 4; ++i) dWorldStep(stage.world, dReal(h()));
     ASSERT_EQ(dBodyIsEnabled(crate), 0);
-    const dGeomID beside = stage.add({0, 0, 0}, settings());
+    const dGeomID neighbour = stage.add({0, 0, 0}, settings());
     const dGeomID on = stage.add({1, 0, 0.5}, settings());
     for (int i = 0; i * h() < 2; ++i) {
-        walk(beside, {}, 0, h()), walk(on, {}, 0, h());
+        walk(neighbour, {}, 0, h()), walk(on, {}, 0, h());
         dWorldStep(stage.world, dReal(h()));
         EXPECT_EQ(dBodyIsEnabled(crate), 0);
     }
-    for (int i = 0; i * h() < 0.5; ++i) walk(beside, {2, 0, 0}, 0, h());
+    for (int i = 0; i * h() < 0.5; ++i) walk(neighbour, {2, 0, 0}, 0, h());
     EXPECT_EQ(dBodyIsEnabled(crate), 1);
 }
 

@@ -225,7 +225,7 @@ TEST_P(Walking, leaves_a_ledge_and_lands_on_its_parabola)
     EXPECT_NEAR(feet(c).x - left, 2 * std::sqrt(2 * 2 / kGravity), 4 * h() + 0.2);
 }
 
-TEST_P(Walking, crouches_and_stands_up_where_there_is_room)
+TEST_P(Walking, crouches_and_stands_up_where_it_fits)
 {
     Stage stage;
     stage.floor();
@@ -244,7 +244,7 @@ TEST_P(Walking, crouches_and_stands_up_where_there_is_room)
     EXPECT_NEAR(feet(c).z, 0, 1e-4);
 }
 
-TEST_P(Walking, stands_up_beside_a_wall)
+TEST_P(Walking, stands_up_next_to_a_wall)
 {
     Stage stage;
     stage.floor();
