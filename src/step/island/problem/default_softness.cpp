@@ -11,7 +11,8 @@
 namespace epode {
 namespace {
 
-constexpr Real kShare = kSoftShare / 2;
+// Substeps do not take the default for a spring that somebody wants.
+constexpr Real kShareOfStep = Real(0.01), kShareOfSubstep = kSoftShare / 2;
 
 // Is an eigenvalue of M^-1 below x? The least of the inverse inertia S is at least 4 det S / (tr S)^2, because the
 // other two multiply to at most (tr S / 2)^2. In double: det S of a body of 50 m is beyond floats.
@@ -29,11 +30,16 @@ bool is_heavy(const SolverBody& body, double x)
 
 class Limits {
   public:
-    Limits(Real hs, RowSystem& system) : system_(system), hs_(hs), share_(1 - hs / system.h) {}
+    Limits(Real hs, RowSystem& system)
+        : system_(system),
+          hs_(hs),
+          later_(1 - hs / system.h),
+          share_(hs < system.h ? kShareOfSubstep : kShareOfStep)
+    {}
 
     bool matter() const
     {
-        const double least = double(kDefaultCfm) / (double(kShare) * double(hs_) * double(1 - share_));
+        const double least = double(kDefaultCfm) / (double(share_) * double(hs_) * double(1 - later_));
         return std::any_of(system_.bodies.begin(), system_.bodies.end(),
                            [least](const SolverBody& body) { return is_heavy(body, least); });
     }
@@ -44,7 +50,7 @@ class Limits {
             Row& row = system_.rows[std::size_t(i)];
             if (!has_default_softness(row)) continue;
             const Real erp = row.kind == RowKind::kFriction ? 0 : row.erp;
-            const Real d = inverse_mass(block, row), largest = kShare * hs_ * (1 - erp * share_) * d;
+            const Real d = inverse_mass(block, row), largest = share_ * hs_ * (1 - erp * later_) * d;
             if (!(d > 0) || row.cfm <= largest) continue;
             row.cfm = largest;
             system_.numbers[std::size_t(i)].C = largest / system_.h;
@@ -53,7 +59,7 @@ class Limits {
 
     void limit(JointManifold& m)
     {
-        const Real largest = kShare * (mass_share(m.body1) + mass_share(m.body2));
+        const Real largest = share_ * (mass_share(m.body1) + mass_share(m.body2));
         if (!(largest > 0)) return;
         const auto apply = [&](Real& C) {
             if (C == kDefaultCfm * (1 / system_.h)) C = std::min(C, largest);
@@ -76,14 +82,14 @@ class Limits {
     }
 
     RowSystem& system_;
-    Real hs_, share_;  // of the whole step: what is left after the first inner one
+    Real hs_, later_, share_;  // later: the share of the step after its first inner one
 };
 
 }  // namespace
 
 bool has_default_softness(const Row& row)
 {
-    return row.cfm == kDefaultCfm && !(row.soft && row.kind == RowKind::kFriction);
+    return row.cfm == kDefaultCfm && !row.drive && !(row.soft && row.kind != RowKind::kNormal);
 }
 
 void limit_default_softness(const World& world, Real hs, RowSystem& system)

@@ -7,8 +7,8 @@
 //   CFM <= s hs (1 - ERP (1 - hs/h)) d,    d = 1/m1 + 1/m2, of rows that only turn a.(I1^-1 + I2^-1) a,
 //
 // with which n bodies on top of one another lose at most n s g h of velocity in a step h, whatever their size. hs: the
-// inner step, at which the limit is s d (solve/common/substep_rows.h). s is half of kSoftShare: substeps do not take
-// the default for a spring that somebody wants. d leaves out what lever arms add, so the points of a manifold stay
+// inner step, at which the limit is s d (solve/common/substep_rows.h). s is 1/100, in substeps 1/2000: half of
+// kSoftShare, so that they do not take the default for a spring that somebody wants. d leaves out what lever arms add, so the points of a manifold stay
 // alike. Any other CFM is the program's, and is literal. ODE has no such limit.
 #pragma once
 
@@ -20,7 +20,8 @@ namespace epode {
 // Of the rows and the numbers of a system whose step is system.h, and of its joint manifolds.
 void limit_default_softness(const World& world, Real hs, RowSystem& system);
 
-// Has this row the default, and not for instance a slip that is as large?
+// Has this row the default, and not a spring, a slip or a joint's own CFM that is as large? (Contacts that the program
+// makes soft may have set ERP alone.)
 bool has_default_softness(const Row& row);
 
 }  // namespace epode
