@@ -75,7 +75,7 @@ void run_dice(Run& run)
     for (int i = 0; i < 27; ++i) {
         const Vec at{(i % 3 - 1) * 0.03, (i / 3 % 3 - 1) * 0.03, 0.08 + 0.03 * (i / 9)};
         dice.push_back(stage.box({kEdge, kEdge, kEdge}, 0.008, at, random.any_turn()));
-        const auto rate = [&](double most) { return random.uniform(-most, most); };
+        const auto rate = [&](double bound) { return random.uniform(-bound, bound); };
         set_velocity(dice.back(), {rate(1), rate(1), -1}, {rate(20), rate(20), rate(20)});
     }
     const double start = energy(stage);
