@@ -469,7 +469,8 @@ int dRobotModelGetMocap(dRobotModelID model, int number)
 {
     model = alive(model);
     const std::vector<int> all = model ? model->model.mocap_links() : std::vector<int>();
-    if (check(number >= 0 && number < int(all.size()), __func__, "a model and a number below dRobotModelGetNumMocap"))
+    if (check(number >= 0 && number < int(all.size()), __func__,
+              "a model and a number below dRobotModelGetNumMocap"))
         return all[size_t(number)];
     return -1;
 }

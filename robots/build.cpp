@@ -254,8 +254,8 @@ dJointID Robot::make_turn(dWorldID world, int number, dBodyID child, dBodyID par
 {
     const Joint& joint = model().joints[size_t(number)];
     if (joint.kind != JointKind::kBall) return nullptr;
-    const bool is_driven =
-        std::any_of(model().actuators.begin(), model().actuators.end(), [&](const Actuator& a) { return a.joint == number; });
+    const bool is_driven = std::any_of(model().actuators.begin(), model().actuators.end(),
+                                       [&](const Actuator& a) { return a.joint == number; });
     if (!is_driven && !joint.limited && joint.stiffness <= 0 && joint.damping <= 0 && joint.armature <= 0 &&
         joint.friction <= 0)
         return nullptr;
@@ -314,10 +314,7 @@ void Robot::make_closure(dWorldID world, const Closure& closure)
     set_pose(moved, before);
 }
 
-void Robot::exclude(dWorldID world, int link1, int link2)
-{
-    keep_apart(world, body(link1), body(link2));
-}
+void Robot::exclude(dWorldID world, int link1, int link2) { keep_apart(world, body(link1), body(link2)); }
 
 void Robot::keep_apart(dWorldID world, dBodyID one, dBodyID two)
 {
@@ -394,7 +391,8 @@ Robot::Robot(const Robot& like, int)
       servos_(like.servos_)
 {}
 
-std::unique_ptr<Robot> Robot::counterpart(const std::vector<dBodyID>& bodies, const std::vector<dJointID>& joints,
+std::unique_ptr<Robot> Robot::counterpart(const std::vector<dBodyID>& bodies,
+                                          const std::vector<dJointID>& joints,
                                           const std::vector<dGeomID>& geoms) const
 {
     if (bodies.size() != all_bodies_.size() || joints.size() != all_joints_.size() ||

@@ -99,7 +99,8 @@ class Robot {
     void add_looks(dSpaceID space);
     // The same robot made of other bodies, joints and geoms, in the order of all_bodies(), all_joints() and geoms(): of those of a copy of
     // its world. Null: not as many.
-    std::unique_ptr<Robot> counterpart(const std::vector<dBodyID>& bodies, const std::vector<dJointID>& joints,
+    std::unique_ptr<Robot> counterpart(const std::vector<dBodyID>& bodies,
+                                       const std::vector<dJointID>& joints,
                                        const std::vector<dGeomID>& geoms) const;
     // Puts a body that the program moves at a pose in the world. False: of a link that is none.
     bool set_mocap(int link, const Pose& pose);

@@ -73,8 +73,8 @@ std::vector<std::string> Robot::not_built(const RobotModel& model)
     for (const auto& pair : model.excluded_still)
         for (const Shape& shape : model.links[0].shapes)
             if (shape.kind == ShapeKind::kPlane && shape.still == pair[1])
-                out.push_back("that the plane of '" + model.still[size_t(pair[1]) - 1] + "' does not touch '" +
-                              model.links[size_t(pair[0])].name + "' is not built");
+                out.push_back("that the plane of '" + model.still[size_t(pair[1]) - 1] +
+                              "' does not touch '" + model.links[size_t(pair[0])].name + "' is not built");
     return out;
 }
 

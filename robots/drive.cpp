@@ -73,7 +73,8 @@ bool Robot::set_mocap(int link, const Pose& pose)
     set_pose(its, pose * Pose{model().links[size_t(link)].centre, {}});
     for (int i = 0; i < dBodyGetNumJoints(its); ++i)
         for (int side = 0; side < 2; ++side)
-            if (const dBodyID other = dJointGetBody(dBodyGetJoint(its, i), side); other && !dBodyIsKinematic(other))
+            if (const dBodyID other = dJointGetBody(dBodyGetJoint(its, i), side);
+                other && !dBodyIsKinematic(other))
                 dBodyEnable(other);
     return true;
 }

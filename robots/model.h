@@ -235,7 +235,8 @@ struct Start {
     std::string name;
     std::vector<double> positions;  // as many as the model has coordinates
     std::vector<double> controls;
-    std::vector<Pose> mocap;  // of the links that are moved by the program, in their order; empty: as in the file
+    std::vector<Pose>
+        mocap;  // of the links that are moved by the program, in their order; empty: as in the file
 };
 
 enum class Note { kChanged, kApproximated, kIgnored, kError };

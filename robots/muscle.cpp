@@ -58,7 +58,8 @@ double muscle_rate(const Activation& filter, double act, double control)
 {
     const double u = std::clamp(control, 0.0, 1.0), a = std::clamp(act, 0.0, 1.0), change = u - act;
     const double rises = filter.time * (0.5 + 1.5 * a), falls = filter.slower / (0.5 + 1.5 * a);
-    const double share = filter.smooth < 1e-15 ? double(change > 0) : smooth_step(change / filter.smooth + 0.5);
+    const double share =
+        filter.smooth < 1e-15 ? double(change > 0) : smooth_step(change / filter.smooth + 0.5);
     return change / std::max(falls + (rises - falls) * share, 1e-15);
 }
 

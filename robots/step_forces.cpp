@@ -258,9 +258,9 @@ double Robot::actuator_force(int actuator) const
     const Stroke its = stroke(actuator);
     const double input = inputs_[size_t(actuator)];
     const Slope slope = slope_of(size_t(actuator));
-    const double force = a.muscle.acts ? muscle_force(a.muscle, input, its.length, its.rate)
-                                       : a.gain * input + a.bias - slope.position * its.length -
-                                             slope.velocity * its.rate;
+    const double force =
+        a.muscle.acts ? muscle_force(a.muscle, input, its.length, its.rate)
+                      : a.gain * input + a.bias - slope.position * its.length - slope.velocity * its.rate;
     return std::clamp(force, a.force_low, a.force_high);
 }
 

@@ -204,7 +204,8 @@ class Pairs {
     const Prepared& prepared_;
     const RobotModel& model_;
     std::vector<Touching> shapes_;
-    std::set<std::array<int, 2>> excluded_, still_;  // the latter: links, and the parts of the world that they do not touch
+    std::set<std::array<int, 2>> excluded_,
+        still_;  // the latter: links, and the parts of the world that they do not touch
     std::map<std::array<int, 2>, int> supports_;
 };
 

@@ -58,7 +58,8 @@ std::string refused_actuator(const RobotModel& model)
 {
     for (const Actuator& its : model.actuators)
         if (its.muscle.acts || its.gain_position != 0 || its.gain_velocity != 0)
-            return named("actuator", its.name) + ": a batch has no muscles and no gains that depend on lengths";
+            return named("actuator", its.name) +
+                   ": a batch has no muscles and no gains that depend on lengths";
     for (const Actuator& its : model.actuators)
         if (its.joint >= 0 && !model.joints[size_t(its.joint)].is_scalar())
             return named("actuator", its.name) + ": a batch has no actuators of balls";
@@ -67,7 +68,8 @@ std::string refused_actuator(const RobotModel& model)
 
 std::string refused_link(const Link& link, size_t number)
 {
-    if (!link.lifts.empty()) return named("link", link.name) + ": a batch pulls links whole or not at all (gravcomp)";
+    if (!link.lifts.empty())
+        return named("link", link.name) + ": a batch pulls links whole or not at all (gravcomp)";
     if (number > 0 && !link.joints.empty() && !(link.mass > 0))
         return named("link", link.name) + ": moves, but has no mass";
     return {};

@@ -74,7 +74,7 @@ typedef struct dMaterial {
     int friction_rule;         /**< a dCombineRule for friction. dCombineDefault */
     int bounce_rule;           /**< for bounce. dCombineDefault */
     int rolling_friction_rule; /**< for rolling friction. dCombineDefault */
-    int priority;              /**< the geom of the larger one says friction, bounce and rolling friction alone. 0 */
+    int priority; /**< the geom of the larger one says friction, bounce and rolling friction alone. 0 */
 } dMaterial;
 
 /** Fills *material with the default of every field, and writes struct_size, which is sizeof(dMaterial), to

@@ -126,7 +126,7 @@ enum {
     - dJointSetStopRate: Let the stops of an axis push back what is beyond them by at most rate times the distance,
       per second. Robots of files have 20/s. dInfinity, the default: ERP alone counts. Returns 1, or 0 when
       refused: a rate that is not above 0; an axis without stops.
-    - dJointGetStopRate: Returns it. Refused: an axis without stops. [ours] */
+    - dJointGetStopRate: Returns what dJointSetStopRate has set. Refused: an axis without stops. [ours] */
 ODE_API int dJointSetStopRate(dJointID joint, int axis, dReal rate);
 ODE_API dReal dJointGetStopRate(dJointID joint, int axis);
 

@@ -159,7 +159,7 @@ class Model:
     @property
     def reference(self) -> FloatArray:
         """The positions in which the file describes the robot."""
-        return self._model.reference
+        return np.zeros(0) if self.position_count == 0 else self._model.reference
 
     @property
     def low(self) -> FloatArray:
@@ -487,7 +487,7 @@ class Robot:
     @property
     def actuator_forces(self) -> FloatArray:
         """What the actuators exert now, N or N m, before their gears."""
-        return self._live.actuator_forces()
+        return self._live.actuator_forces() if self.model.actuators else np.zeros(0)
 
     def _each_actuator(self, values: ArrayLike, what: str) -> FloatArray:
         wanted = np.asarray(values, float)

@@ -314,6 +314,11 @@ class World(Object):
         """The geoms, from the oldest on."""
         return list(self._geoms.values())
 
+    @property
+    def robots(self) -> list[Robot]:
+        """The robots (``epode.robot.Model.build``), from the oldest on."""
+        return [robot for robot in self._robots if robot.alive]
+
     # ---- steps ----
 
     def step(self, h: float, *, stepper: str | None = None, steps: int = 1) -> None:

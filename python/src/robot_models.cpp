@@ -129,7 +129,8 @@ nb::dict start_mocap(const Model& m)
     nb::dict out;
     for (const Start& start : m.model.starts) {
         Reals all;
-        for (const Pose& p : start.mocap) all.insert(all.end(), {p.p.x, p.p.y, p.p.z, p.q.w, p.q.x, p.q.y, p.q.z});
+        for (const Pose& p : start.mocap)
+            all.insert(all.end(), {p.p.x, p.p.y, p.p.z, p.q.w, p.q.x, p.q.y, p.q.z});
         out[start.name.c_str()] = table(all, all.size() / 7, 7);
     }
     return out;

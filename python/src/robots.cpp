@@ -104,12 +104,14 @@ std::vector<P> pointers(nb::list from)
 }
 
 // The same robot in a copy of its world.
-Built* counterpart(const Built& like, const WorldHandle& world, nb::list bodies, nb::list joints, nb::list geoms)
+Built* counterpart(const Built& like, const WorldHandle& world, nb::list bodies, nb::list joints,
+                   nb::list geoms)
 {
     Call call;
     call.uses(world.p);
     auto out = std::make_unique<Built>();
-    out->robot = like.robot->counterpart(pointers<dBodyID, BodyHandle>(bodies), pointers<dJointID, JointHandle>(joints),
+    out->robot = like.robot->counterpart(pointers<dBodyID, BodyHandle>(bodies),
+                                         pointers<dJointID, JointHandle>(joints),
                                          pointers<dGeomID, GeomHandle>(geoms));
     if (!out->robot) throw nb::value_error("these are not the parts of a robot of this model");
     out->sensors = std::make_unique<Sensors>(*out->robot, world.p);

@@ -162,7 +162,7 @@ def test_models_robots_and_recordings_pickle_and_copies_keep_their_robots():
     robot = model.build(world, position=(0, 1, 0))
     robot.controls = [0.4]
     world.step(0.005, steps=20)
-    twins = [world.clone()._robots[0], pickle.loads(pickle.dumps(world))._robots[0], pickle.loads(pickle.dumps(robot))]
+    twins = [world.clone().robots[0], pickle.loads(pickle.dumps(world)).robots[0], pickle.loads(pickle.dumps(robot))]
     for twin in twins:
         assert twin.world is not world and twin.alive
         np.testing.assert_array_equal(twin.positions, robot.positions)
@@ -238,7 +238,7 @@ def test_the_surface_of_priority_says_the_friction():
         world = epode.World()
         epode.robot.from_text(f"<mujoco><worldbody><geom type='plane' size='9 9 1' friction='{floor}'/>"
                               f"<body pos='0 0 .1'><freejoint/><geom type='box' size='.1 .1 .1' {wheel}/></body></worldbody></mujoco>").build(world)
-        robot = world._robots[0]
+        robot = world.robots[0]
         robot.velocities = [1, 0, 0, 0, 0, 0]
         world.step(0.005, steps=60)
         return robot.velocities[0]

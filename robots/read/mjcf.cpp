@@ -98,8 +98,7 @@ void Mjcf::include(const Element& element, std::vector<Element>& out)
     const Element inner{document->tree.document_element(), document.get()};
     places_[document.get()] = path_of({element.node.parent(), element.document});
     names_.check(inner, places_[document.get()]);
-    for (const Element& child : expand(inner))
-        out.push_back(child);
+    for (const Element& child : expand(inner)) out.push_back(child);
     including_.pop_back();
 }
 

@@ -18,7 +18,8 @@ namespace epode::robots {
 
 class Mjcf {
   public:
-    Mjcf(const Element& root, Reading& reading) : root_(root), reading_(reading), model_(reading.model), names_(reading)
+    Mjcf(const Element& root, Reading& reading)
+        : root_(root), reading_(reading), model_(reading.model), names_(reading)
     {}
     void read();
 
@@ -168,12 +169,13 @@ class Mjcf {
     std::map<std::string, std::unique_ptr<Document>> documents_;
     std::vector<std::string> including_;
     size_t includes_ = 0;
-    std::map<std::string, std::vector<std::string>> copies_;  // of names that are replicated, what stands behind them
+    std::map<std::string, std::vector<std::string>>
+        copies_;  // of names that are replicated, what stands behind them
     std::map<const void*, std::unique_ptr<pugi::xml_document>> replicas_;  // by what was copied
     int copied_ = 0;
     MjcfNames names_;
     std::map<const Document*, std::string> places_;  // of included files: the path of what includes them
-    std::map<int, std::array<double, 2>> springs_;  // time constant and damping ratio, by joint
+    std::map<int, std::array<double, 2>> springs_;   // time constant and damping ratio, by joint
     std::optional<MassFactor> masses_;
     bool touches_ = true;  // no contacts: geoms are looks
 };

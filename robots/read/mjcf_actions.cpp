@@ -194,10 +194,12 @@ void Mjcf::read_muscle(const Attributes& a, Actuator& actuator)
     else
         find_lengths(a, actuator);
     if (m.force < 0) m.force = m.scale / acceleration_of(actuator);
-    const bool is_good = m.high > m.low && m.shortest < 1 && m.longest > 1 && m.fastest > 0 && m.eccentric > 1 &&
-                         filter.time > 0 && filter.slower > 0 && std::isfinite(m.force);
-    if (!is_good) reading_.error(a.element(), "actuator '" + actuator.name + "' is no muscle: its numbers do not fit");
-    reading_.note_once(Note::kChanged, a.element(), "muscles act where dRobotAddForces is called before a step");
+    const bool is_good = m.high > m.low && m.shortest < 1 && m.longest > 1 && m.fastest > 0 &&
+                         m.eccentric > 1 && filter.time > 0 && filter.slower > 0 && std::isfinite(m.force);
+    if (!is_good)
+        reading_.error(a.element(), "actuator '" + actuator.name + "' is no muscle: its numbers do not fit");
+    reading_.note_once(Note::kChanged, a.element(),
+                       "muscles act where dRobotAddForces is called before a step");
 }
 
 // Where the file does not say between which lengths a muscle acts: MuJoCo looks for them, by pulling.
@@ -208,9 +210,10 @@ void Mjcf::find_lengths(const Attributes& a, Actuator& actuator)
     const Tendon* const tendon = actuator.tendon >= 0 ? &model_.tendons[size_t(actuator.tendon)] : nullptr;
     const double low = joint ? joint->low : tendon->low, high = joint ? joint->high : tendon->high;
     if (!std::isfinite(low) || !std::isfinite(high) || low >= high)
-        return reading_.error(a.element(), "the muscle '" + actuator.name +
-                                               "' says no lengthrange, and what it moves has no limits; MuJoCo "
-                                               "finds one by simulation: state it");
+        return reading_.error(a.element(),
+                              "the muscle '" + actuator.name +
+                                  "' says no lengthrange, and what it moves has no limits; MuJoCo "
+                                  "finds one by simulation: state it");
     const auto [from, to] = std::minmax({actuator.gear * low, actuator.gear * high});
     m.length_low = from, m.length_high = to;
     reading_.note(Note::kApproximated, a.element(),
@@ -251,9 +254,8 @@ void Mjcf::read_actuator(const Attributes& a)
     actuator.name = a.element().text("name"), actuator.kind = a.element().name(),
     actuator.line = a.element().line();
     const std::string& kind = actuator.kind;
-    static const std::set<std::string> known{"motor",   "position", "velocity",
-                                             "general", "cylinder", "intvelocity",
-                                             "muscle",  "damper"};
+    static const std::set<std::string> known{"motor",    "position",    "velocity", "general",
+                                             "cylinder", "intvelocity", "muscle",   "damper"};
     if (!known.count(kind)) return reading_.note(Note::kIgnored, a.element(), "an actuator <" + kind + ">");
     if (!find_target(a, actuator)) return;
     std::vector<double> values;

@@ -32,9 +32,10 @@ std::string text_of_list(std::initializer_list<double> values)
 
 bool is_reference(const char* attribute)
 {
-    static const std::set<std::string> words{"joint", "jointinparent", "site",  "body",    "geom",  "joint1", "joint2",
-                                             "site1", "site2",         "body1", "body2",   "geom1", "geom2",  "refsite",
-                                             "objname", "refname",     "cranksite", "slidersite"};
+    static const std::set<std::string> words{"joint",   "jointinparent", "site",      "body",    "geom",
+                                             "joint1",  "joint2",        "site1",     "site2",   "body1",
+                                             "body2",   "geom1",         "geom2",     "refsite", "objname",
+                                             "refname", "cranksite",     "slidersite"};
     return words.count(attribute) > 0;
 }
 

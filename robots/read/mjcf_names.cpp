@@ -129,11 +129,10 @@ std::string kind_of(const std::string& path)
 {
     static const std::map<std::string, std::string> kinds{
         {"body/freejoint", "joint"}, {"tendon/fixed", "tendon"}, {"tendon/spatial", "tendon"}};
-    static const std::set<std::string> own{"body",          "body/joint",     "body/geom",     "body/site",
-                                           "body/camera",   "body/light",     "asset/mesh",    "asset/texture",
-                                           "asset/hfield",  "asset/material", "asset/skin",    "asset/model",
-                                           "contact/pair",  "contact/exclude", "keyframe/key", "custom/numeric",
-                                           "custom/text",   "custom/tuple"};
+    static const std::set<std::string> own{
+        "body",         "body/joint",      "body/geom",    "body/site",      "body/camera", "body/light",
+        "asset/mesh",   "asset/texture",   "asset/hfield", "asset/material", "asset/skin",  "asset/model",
+        "contact/pair", "contact/exclude", "keyframe/key", "custom/numeric", "custom/text", "custom/tuple"};
     if (const auto found = kinds.find(path); found != kinds.end()) return found->second;
     for (const char* section : {"actuator/", "sensor/", "equality/"})
         if (path.starts_with(section) && path.find('/', path.find('/') + 1) == std::string::npos)
@@ -162,11 +161,12 @@ void MjcfNames::check_attributes(const Element& element, const std::string& path
         const std::string word = attribute.name();
         if (found->second.count(word)) continue;
         if (older_of(path).count(word))
-            reading_.note_once(Note::kIgnored, element,
-                               "<" + name + "> " + word + ": a word of older versions, which means nothing now");
+            reading_.note_once(
+                Note::kIgnored, element,
+                "<" + name + "> " + word + ": a word of older versions, which means nothing now");
         else
-            reading_.error(element, "<" + name.substr(0, 40) + "> has no attribute '" + word.substr(0, 60) + "'" +
-                                        advice(word, found->second));
+            reading_.error(element, "<" + name.substr(0, 40) + "> has no attribute '" + word.substr(0, 60) +
+                                        "'" + advice(word, found->second));
     }
 }
 
@@ -177,8 +177,8 @@ void MjcfNames::check_name(const Element& element, const std::string& path)
     if (kind.empty() || name.empty() || (path == "body" && element.name() != "body")) return;
     const auto [it, is_new] = lines_[kind].try_emplace(name, element.line());
     if (!is_new)
-        reading_.error(element, "the name '" + name.substr(0, 60) + "' of a " + kind + " is that of the one in line " +
-                                    std::to_string(it->second) + ", too");
+        reading_.error(element, "the name '" + name.substr(0, 60) + "' of a " + kind +
+                                    " is that of the one in line " + std::to_string(it->second) + ", too");
 }
 
 void MjcfNames::check(const Element& element, const std::string& path)
@@ -194,7 +194,8 @@ void MjcfNames::check(const Element& element, const std::string& path)
             check(child, path_of(path, name));
         else
             reading_.error(child, "there is no element <" + name.substr(0, 40) + "> in <" +
-                                      (path.empty() ? "mujoco" : element.name().substr(0, 40)) + ">" + advice(name, known));
+                                      (path.empty() ? "mujoco" : element.name().substr(0, 40)) + ">" +
+                                      advice(name, known));
     }
 }
 

@@ -432,6 +432,7 @@ void Sdf::close_loop(const Edge& edge)
                     "the joint '" + edge.joint->Name() + "', which closes a loop");
     add_closure(edge, {at.p, {}}, false);
     add_closure(edge, {at.p + kLoopArm * vec_of(xyz), {}}, false);
+    model_.closures.back().name += "/second";
     note(Note::kChanged, line_of(edge.joint->Element()),
          "the joint '" + edge.joint->Name() +
              "' closes a loop: two points of its axis, without its limits and drive");

@@ -34,6 +34,12 @@ bool is_near(const Pose& a, const Pose& b)
     return length(a.p - b.p) < 1e-9 && std::fabs(1 - std::fabs((conjugate(a.q) * b.q).w)) < 1e-12;
 }
 
+// No two of a kind have one name.
+void name_it(Node node, Names& names, const std::string& name)
+{
+    if (!name.empty()) set(node, "name", names.unique(name, "", 0));
+}
+
 class MjcfWriter {
   public:
     MjcfWriter(const RobotModel& model, const std::string& folder) : model_(model), folder_(folder) {}
@@ -81,7 +87,7 @@ class MjcfWriter {
     std::vector<std::string> links_, joints_, tendons_;
     std::vector<Node> bodies_, still_bodies_;
     std::vector<std::string> still_;  // names of what stands apart
-    Names sites_, geoms_, tendon_names_;
+    Names sites_, geoms_, tendon_names_, equality_names_, actuator_names_, key_names_, sensor_names_;
     std::vector<std::string> frames_;                   // names of the model's, as written
     std::vector<std::vector<std::string>> geom_names_;  // by link: of what touches, then of looks
     Losses losses_;
@@ -307,7 +313,8 @@ void MjcfWriter::write_bodies()
         }
         for (int joint : link.joints) write_joint(bodies_[i], size_t(joint));
         std::vector<std::string>& names = geom_names_.emplace_back();
-        for (const Shape& shape : link.shapes) names.push_back(write_geom(body_of(int(i), shape), shape, true));
+        for (const Shape& shape : link.shapes)
+            names.push_back(write_geom(body_of(int(i), shape), shape, true));
         for (const Shape& shape : link.visuals) names.push_back(write_geom(bodies_[i], shape, false));
     }
     for (size_t i = 0; i < model_.frames.size(); ++i) {
@@ -340,7 +347,7 @@ void MjcfWriter::write_closures()
     const std::vector<Pose> poses = forward_kinematics(model_, reference_positions(model_));
     for (const Closure& closure : model_.closures) {
         Node its = section("equality").append_child(closure.weld ? "weld" : "connect");
-        if (!closure.name.empty()) set(its, "name", closure.name);
+        name_it(its, equality_names_, closure.name);
         const Pose &one = poses[size_t(closure.link1)], &two = poses[size_t(closure.link2)];
         const Pose meant = closure.weld ? Pose{} : inverse(two) * (one * closure.pose1);
         if (!is_near(meant, closure.pose2)) {
@@ -361,7 +368,7 @@ void MjcfWriter::write_tendon_equality(const Coupling& coupling)
 {
     const auto [one, two] = coupling.tendons;
     Node its = section("equality").append_child("tendon");
-    if (!coupling.name.empty()) set(its, "name", coupling.name);
+    name_it(its, equality_names_, coupling.name);
     if (one < 0) {
         Tendon own;
         own.terms = coupling.terms;
@@ -390,7 +397,7 @@ void MjcfWriter::write_couplings()
         const double f1 = terms[0].factor, r1 = model_.joints[size_t(terms[0].joint)].reference;
         std::vector<double> c{coupling.offset / f1 - r1, 0};
         Node its = section("equality").append_child("joint");
-        if (!coupling.name.empty()) set(its, "name", coupling.name);
+        name_it(its, equality_names_, coupling.name);
         set(its, "joint1", joints_[size_t(terms[0].joint)]);
         if (terms.size() == 2) {
             set(its, "joint2", joints_[size_t(terms[1].joint)]);
@@ -458,8 +465,7 @@ void MjcfWriter::write_tendons()
 std::string kind_of(const Actuator& a)
 {
     if (a.muscle.acts) return "muscle";
-    const bool is_plain =
-        a.bias == 0 && a.activation.empty() && a.gain_position == 0 && a.gain_velocity == 0;
+    const bool is_plain = a.bias == 0 && a.activation.empty() && a.gain_position == 0 && a.gain_velocity == 0;
     if (a.kind == "position" && is_plain && a.gain == a.bias_position) return a.kind;
     if (a.kind == "velocity" && is_plain && a.gain == a.bias_velocity && a.bias_position == 0) return a.kind;
     const bool is_motor =
@@ -476,15 +482,16 @@ void MjcfWriter::write_gains(Node actuator, const Actuator& from, const std::str
         set(actuator, "timeconst", list_text({from.filter.time, from.filter.slower}));
         set(actuator, "tausmooth", from.filter.smooth), set(actuator, "range", range_of(m.low, m.high));
         set(actuator, "lengthrange", range_of(m.length_low, m.length_high));
-        const std::pair<const char*, double> numbers[] = {
-            {"force", m.force},  {"lmin", m.shortest}, {"lmax", m.longest},   {"vmax", m.fastest},
-            {"fpmax", m.passive}, {"fvmax", m.eccentric}};
+        const std::pair<const char*, double> numbers[] = {{"force", m.force},   {"lmin", m.shortest},
+                                                          {"lmax", m.longest},  {"vmax", m.fastest},
+                                                          {"fpmax", m.passive}, {"fvmax", m.eccentric}};
         for (const auto& [name, value] : numbers) set(actuator, name, value);
     }
     if (kind != "general") return;
     const bool is_affine = from.gain_position != 0 || from.gain_velocity != 0;
     if (is_affine) set(actuator, "gaintype", "affine");
-    set(actuator, "gainprm", is_affine ? list_text({from.gain, from.gain_position, from.gain_velocity}) : text_of(from.gain));
+    set(actuator, "gainprm",
+        is_affine ? list_text({from.gain, from.gain_position, from.gain_velocity}) : text_of(from.gain));
     set(actuator, "biastype", "affine");
     set(actuator, "biasprm", list_text({from.bias, -from.bias_position, -from.bias_velocity}));
 }
@@ -494,7 +501,7 @@ void MjcfWriter::write_actuators()
     for (const Actuator& actuator : model_.actuators) {
         const std::string kind = kind_of(actuator);
         Node its = section("actuator").append_child(kind.c_str());
-        if (!actuator.name.empty()) set(its, "name", actuator.name);
+        name_it(its, actuator_names_, actuator.name);
         if (actuator.joint >= 0) set(its, "joint", joints_[size_t(actuator.joint)]);
         if (actuator.joint < 0) set(its, "tendon", tendons_[size_t(actuator.tendon)]);
         if (length(actuator.direction) > 0)
@@ -523,7 +530,7 @@ void MjcfWriter::write_contacts_and_keys()
     }
     for (const Start& start : model_.starts) {
         Node its = section("keyframe").append_child("key");
-        if (!start.name.empty()) set(its, "name", start.name);
+        name_it(its, key_names_, start.name);
         set(its, "qpos", list_text(start.positions));
         if (!start.controls.empty()) set(its, "ctrl", list_text(start.controls));
         std::vector<double> places, turns;
@@ -549,7 +556,7 @@ void MjcfWriter::write_sensors()
             continue;
         }
         Node its = section("sensor").append_child(sensor.kind.c_str());
-        if (!sensor.name.empty()) set(its, "name", sensor.name);
+        name_it(its, sensor_names_, sensor.name);
         if (!on.type.empty()) set(its, "objtype", on.type);
         set(its, on.attribute.c_str(), on.object);
         write_reference(its, sensor);

@@ -236,7 +236,8 @@ int dJointSetStopRate(dJointID j, int axis, dReal rate)
     EPODE_USER_SAY(stops, "the axis has no stops", 0);
     EPODE_USER_SAY(usable_or_infinite(rate) && rate > 0, "the rate is not above 0", 0);
     EPODE_USER_SAY(!is_busy(*joint), busy_text(*joint->world), 0);
-    change_value(*joint, [&] { return stops->stop_rate; }, [&] { stops->stop_rate = rate; });
+    change_value(
+        *joint, [&] { return stops->stop_rate; }, [&] { stops->stop_rate = rate; });
     return 1;
 }
 

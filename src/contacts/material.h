@@ -19,7 +19,7 @@ template <>
 inline constexpr std::size_t kSmallestSize<dMaterial> = offsetof(dMaterial, bounce);
 
 inline constexpr dMaterial kDefaultMaterial{
-    sizeof(dMaterial), Real(0.6),      0, 1, {0, 0, 0, 0}, 0, 0, 0, dCombineDefault,
+    sizeof(dMaterial), Real(0.6),       0, 1, {0, 0, 0, 0}, 0, 0, 0, dCombineDefault,
     dCombineDefault,   dCombineDefault, 0};
 
 inline const dMaterial& material_of(const Geom& geom)

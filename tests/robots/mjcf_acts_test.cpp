@@ -33,8 +33,9 @@ std::string error_of(const std::string& text)
 
 TEST_F(MjcfActs, a_ball_stops_where_its_angle_is_the_limit)
 {
-    load("<mujoco><compiler angle='radian'/><worldbody><body pos='0 0 1'><joint type='ball' range='0 0.5'/>"
-         "<geom type='capsule' size='0.02' fromto='0 0 0 0.5 0 0' mass='1'/></body></worldbody></mujoco>");
+    load(
+        "<mujoco><compiler angle='radian'/><worldbody><body pos='0 0 1'><joint type='ball' range='0 0.5'/>"
+        "<geom type='capsule' size='0.02' fromto='0 0 0 0.5 0 0' mass='1'/></body></worldbody></mujoco>");
     const dReal velocities[3] = {1, -2, dReal(0.5)};
     dRobotSetVelocities(robot, velocities, 3);
     step(500);
@@ -46,7 +47,9 @@ TEST_F(MjcfActs, a_ball_stops_where_its_angle_is_the_limit)
 TEST_F(MjcfActs, a_ball_with_a_spring_swings_as_a_pendulum_of_torsion_about_any_axis)
 {
     const double k = 2, moment = 0.4 * 10 * 0.01;  // a solid ball of 10 kg and 0.1 m about its centre
-    load("<mujoco><worldbody><body><joint type='ball' stiffness='2'/><geom size='0.1' mass='10'/></body></worldbody></mujoco>");
+    load(
+        "<mujoco><worldbody><body><joint type='ball' stiffness='2'/><geom size='0.1' "
+        "mass='10'/></body></worldbody></mujoco>");
     const double w0 = 0.3, omega = std::sqrt(k / moment), t = 0.4;
     const double n = std::sqrt(1 + 4 + 4);
     const dReal velocities[3] = {dReal(w0 / n), dReal(2 * w0 / n), dReal(-2 * w0 / n)};
@@ -62,8 +65,11 @@ TEST_F(MjcfActs, a_ball_with_a_spring_swings_as_a_pendulum_of_torsion_about_any_
 TEST_F(MjcfActs, what_is_welded_to_a_mocap_body_stands_with_it_and_goes_where_it_is_put)
 {
     dWorldSetGravity(world, 0, 0, dReal(-9.81));
-    load("<mujoco><worldbody><body name='target' mocap='true' pos='0 0 1'/><body name='hand' pos='0.1 0 1'><freejoint/>"
-         "<geom size='0.05'/></body></worldbody><equality><weld body1='target' body2='hand'/></equality></mujoco>");
+    load(
+        "<mujoco><worldbody><body name='target' mocap='true' pos='0 0 1'/><body name='hand' pos='0.1 0 "
+        "1'><freejoint/>"
+        "<geom size='0.05'/></body></worldbody><equality><weld body1='target' "
+        "body2='hand'/></equality></mujoco>");
     ASSERT_EQ(dRobotModelGetNumMocap(model), 1);
     const int link = dRobotModelGetMocap(model, 0);
     EXPECT_EQ(link, dRobotModelFindLink(model, "target"));
@@ -87,20 +93,27 @@ TEST(MjcfWords, that_are_none_are_errors_with_the_nearest_one)
     EXPECT_NE(error_of("<mujoco><worldbody>\n<body><freejoint/><geom sizze='1'/></body></worldbody></mujoco>")
                   .find("2: <geom> has no attribute 'sizze'; did you mean 'size'?"),
               std::string::npos);
-    EXPECT_NE(error_of("<mujoco><worldbody><bdoy/></worldbody></mujoco>").find("did you mean 'body'?"), std::string::npos);
-    EXPECT_NE(error_of("<mujoco><worldbody><geom name='a' size='1'/><geom name='a' size='1'/></worldbody></mujoco>").find("'a'"),
+    EXPECT_NE(error_of("<mujoco><worldbody><bdoy/></worldbody></mujoco>").find("did you mean 'body'?"),
               std::string::npos);
-    EXPECT_EQ(error_of("<mujoco><compiler exactmeshinertia='true'/><worldbody><geom name='a' size='1'/><site name='a'/></worldbody></mujoco>"), "");
+    EXPECT_NE(
+        error_of("<mujoco><worldbody><geom name='a' size='1'/><geom name='a' size='1'/></worldbody></mujoco>")
+            .find("'a'"),
+        std::string::npos);
+    EXPECT_EQ(error_of("<mujoco><compiler exactmeshinertia='true'/><worldbody><geom name='a' size='1'/><site "
+                       "name='a'/></worldbody></mujoco>"),
+              "");
 }
 
 // They stand apart, and are written again.
 TEST(MjcfExclusions, of_a_body_fixed_to_the_world_concern_it_alone)
 {
     const std::string text =
-        "<mujoco><worldbody><geom size='1'/><body name='torso'><geom size='0.5'/></body><body name='arm'><freejoint/><geom "
+        "<mujoco><worldbody><geom size='1'/><body name='torso'><geom size='0.5'/></body><body "
+        "name='arm'><freejoint/><geom "
         "size='0.1'/></body></worldbody><contact><exclude body1='torso' body2='arm'/></contact></mujoco>";
-    for (const RobotModel& model : {load_robot_text("robot.xml", text),
-                                    load_robot_text("robot.xml", write_mjcf(load_robot_text("robot.xml", text), ".").text)}) {
+    for (const RobotModel& model :
+         {load_robot_text("robot.xml", text),
+          load_robot_text("robot.xml", write_mjcf(load_robot_text("robot.xml", text), ".").text)}) {
         ASSERT_FALSE(model.has_errors());
         ASSERT_EQ(model.still.size(), 1u);
         EXPECT_EQ(model.excluded_still, (std::vector<std::array<int, 2>>{{1, 1}}));
@@ -114,8 +127,9 @@ TEST(MjcfExclusions, of_a_body_fixed_to_the_world_concern_it_alone)
 TEST_F(MjcfActs, a_violated_limit_does_not_throw_the_faster_the_smaller_the_step_is)
 {
     for (const double h : {1e-2, 1e-3, 1e-4}) {
-        load("<mujoco><compiler angle='radian'/><worldbody><body><joint axis='0 1 0' range='0.25 3'/>"
-             "<geom type='capsule' size='0.02' fromto='0 0 0 0.5 0 0' mass='1'/></body></worldbody></mujoco>");
+        load(
+            "<mujoco><compiler angle='radian'/><worldbody><body><joint axis='0 1 0' range='0.25 3'/>"
+            "<geom type='capsule' size='0.02' fromto='0 0 0 0.5 0 0' mass='1'/></body></worldbody></mujoco>");
         step(int(0.1 / h), h);
         dReal v;
         dRobotGetVelocities(robot, &v, 1);

@@ -59,7 +59,8 @@ TEST_F(TurnMotor, reads_the_rotation_vector)
         EXPECT_EQ(dJointGetAMotorNumAxes(motor), 3);
         for (double one : turn_of(motor)) EXPECT_NEAR(one, 0, 1e-12);
         const double s = std::sin(angle / 2) / angle;
-        const dQuaternion turned = {dReal(std::cos(angle / 2)), dReal(s * r[0]), dReal(s * r[1]), dReal(s * r[2])};
+        const dQuaternion turned = {dReal(std::cos(angle / 2)), dReal(s * r[0]), dReal(s * r[1]),
+                                    dReal(s * r[2])};
         const dReal* const q = dBodyGetQuaternion(a);
         dQuaternion before = {q[0], q[1], q[2], q[3]}, after;
         dQMultiply0(after, before, turned);
