@@ -37,7 +37,7 @@ TEST(ProjectionReach, leaves_crates_between_rams)
             }
         }
         EXPECT_LT(highest, 0.8) << h;  // one may slip up, and lie on others
-        EXPECT_LT(jump, 0.5) << h;  // by no more than crates overlap
+        EXPECT_LT(jump, 0.5) << h;     // by no more than crates overlap
         EXPECT_LT(fastest, 2) << h;
     }
 }
