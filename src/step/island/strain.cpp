@@ -12,7 +12,8 @@ namespace {
 
 constexpr Real kGap = Real(0.001);
 constexpr double kGain = 0.003, kGainIfDriven = 0.05;
-constexpr Real kWide = Real(0.02), kClosed = Real(0.0002);          // gaps
+constexpr Real kWide = Real(0.02), kClosed = Real(0.0002);  // gaps
+constexpr std::ptrdiff_t kLoops = 4;
 constexpr std::uint8_t kTwice = 4, kFourTimes = 10, kLongest = 15;  // steps with wide gaps
 
 // The radius of gyration, from the mean of the principal moments; 0 of what cannot move.
@@ -139,7 +140,10 @@ void note_gap(HybridState& state, Real gap)
 
 int substep_factor(const Island& island)
 {
-    if (!has_lasting_joints(island)) return 1;
+    const auto lasting = std::count_if(island.joints.begin(), island.joints.end(),
+                                       [](const Joint* joint) { return !is_contact(*joint); });
+    // Trees and single loops, which may turn by much in a step, sweeps do hold.
+    if (lasting <= std::ptrdiff_t(island.bodies.size()) + kLoops) return 1;
     int apart = 0;
     for (const Body* body : island.bodies) apart = std::max(apart, int(body->hybrid.apart));
     return apart < kTwice ? 1 : apart < kFourTimes ? 2 : 4;
