@@ -121,11 +121,11 @@ enum {
 };
 
 /** A joint that is made far beyond a stop is pushed back at dParamStopERP / h times the distance: the faster, the
-    smaller the step is, and it keeps that speed. A rate bounds it in steps that correct by velocities. It does not
+    smaller the step is, and it keeps that speed. A `rate` bounds it in steps that correct by velocities. It does not
     count where poses are corrected instead (dWorldSetStepProjection, dWorldSetContactMaxCorrectingVel).
-    - dJointSetStopRate: Let the stops of an axis push back what is beyond them by at most rate times the distance,
+    - dJointSetStopRate: Let the stops of an axis push back what is beyond them by at most `rate` times the distance,
       per second. Robots of files have 20/s. dInfinity, the default: ERP alone counts. Returns 1, or 0 when
-      refused: a rate that is not above 0; an axis without stops.
+      refused: a `rate` that is not above 0; an axis without stops.
     - dJointGetStopRate: Returns what dJointSetStopRate has set. Refused: an axis without stops. [ours] */
 ODE_API int dJointSetStopRate(dJointID joint, int axis, dReal rate);
 ODE_API dReal dJointGetStopRate(dJointID joint, int axis);
