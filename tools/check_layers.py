@@ -56,7 +56,8 @@ ROOMS = {
         "island/problem": {"common"},
         "island/positions": {"common", "island/problem"},
         "island": {"common", "island/problem", "island/positions"},
-        "": {"common", "island", "island/problem", "island/positions"},
+        "steppers": {"common", "island", "island/problem", "island/positions"},
+        "": {"common", "island", "island/problem", "island/positions", "steppers"},
     },
     "api": {
         "": set(),

@@ -110,7 +110,7 @@ EXCEPTIONS = [
     ("*", "dear", r"Dear ImGui", "the library's name"),
     ("src/simd/*", "most", "at_most", "the comparison of lanes"),
     ("src/solve/*", "most", "at_most", "the comparison of lanes, and of one number"),
-    ("src/solve/substeps/tgs.cpp", "small steps", "Small Steps in Physics Simulation", "the title of a paper"),
+    ("src/solve/substeps/substep_solver.h", "small steps", "Small Steps in Physics Simulation", "the title of a paper"),
     ("tests/cpp/guide/*", "thing", "", "programs of the 0.039 guide, quoted"),
     ("bench/engines*", "ground", "", "the ground of a scene"),
 ]

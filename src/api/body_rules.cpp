@@ -8,7 +8,7 @@
 #include "api/body_handle.h"
 #include "ode/ode.h"
 #include "step/common/link.h"
-#include "step/hybrid.h"
+#include "step/steppers/stepper.h"
 
 using namespace epode;
 

@@ -7,8 +7,8 @@
 #include "base/check.h"
 #include "ode/ext.h"
 #include "step/batch.h"
-#include "step/hybrid.h"
 #include "step/step.h"
+#include "step/steppers/stepper.h"
 
 using namespace epode;
 
@@ -25,7 +25,7 @@ int dWorldStepHybrid(dWorldID w, dReal stepsize)
     World* const world = from_handle<World>(w);
     EPODE_USER(world && usable(stepsize) && stepsize > 0, 0);
     EPODE_MAY_STEP(*world);
-    EPODE_USER_SAY(step_world_hybrid(*world, stepsize), kOutOfMemory, 0);
+    EPODE_USER_SAY(step_world(*world, kHybrid, stepsize, 0), kOutOfMemory, 0);
     report_unusual(*world);
     return 1;
 }
@@ -34,8 +34,8 @@ int dWorldsStep(const dWorldID* worlds, int count, dReal stepsize, int stepper, 
                 int threads, int* steps_made)
 {
     EPODE_USER(is_stepper(stepper) && usable(stepsize) && stepsize > 0 && steps >= 1, 0);
-    const Solver* const solver = solver_named(stepper);
-    EPODE_USER(!solver || !solver->substeps || (iterations >= 1 && iterations <= kMaxSubsteps), 0);
+    const Stepper& how = *stepper_numbered(stepper);
+    EPODE_USER(!how.has_substeps || (iterations >= 1 && iterations <= kMaxSubsteps), 0);
     EPODE_USER(count >= 0 && (worlds || count == 0) && threads >= 0 && threads <= kMaxThreads, 0);
     for (int i = 0; i < count; ++i) {
         World* const world = from_handle<World>(worlds[i]);
@@ -52,7 +52,7 @@ int dWorldsStep(const dWorldID* worlds, int count, dReal stepsize, int stepper, 
             wrong = world.busy != Busy::kNo ? "a world twice" : batch.add(world) ? nullptr : kOutOfMemory;
         }
         if (!wrong && !batch.prepare(threads)) wrong = kOutOfMemory;
-        if (!wrong) whole = batch.run({solver, stepsize, iterations}, steps, steps_made);
+        if (!wrong) whole = batch.run({how, stepsize, iterations}, steps, steps_made);
     }
     EPODE_USER_SAY(!wrong, wrong, 0);
     EPODE_USER_SAY(whole == count, kOutOfMemory, whole);

@@ -14,8 +14,8 @@
 #include "ode/ext.h"
 #include "ode/ode.h"
 #include "step/common/link.h"
-#include "step/hybrid.h"
 #include "step/step.h"
+#include "step/steppers/stepper.h"
 #include "tasks/threading.h"
 
 namespace epode {
@@ -199,7 +199,7 @@ int dWorldStep(dWorldID w, dReal stepsize)
     EPODE_WORLD_OR(0);
     EPODE_USER(usable(stepsize) && stepsize > 0, 0);
     EPODE_MAY_STEP(*world);
-    EPODE_USER_SAY(step_world(*world, kDirect, stepsize, 0), kOutOfMemory, 0);
+    EPODE_USER_SAY(step_world(*world, kExact, stepsize, 0), kOutOfMemory, 0);
     report_unusual(*world);
     return 1;
 }
@@ -219,7 +219,7 @@ int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations)
     EPODE_WORLD_OR(0);
     EPODE_USER(usable(stepsize) && stepsize > 0 && maxiterations >= 1 && maxiterations <= kMaxSubsteps, 0);
     EPODE_MAY_STEP(*world);
-    EPODE_USER_SAY(step_world(*world, kTgs, stepsize, maxiterations), kOutOfMemory, 0);
+    EPODE_USER_SAY(step_world(*world, kSubsteps, stepsize, maxiterations), kOutOfMemory, 0);
     report_unusual(*world);
     return 1;
 }

@@ -122,24 +122,6 @@ inline std::span<WideTerm> terms_of(const RowSystem& system, const RowBlock& blo
     return system.terms.subspan(std::size_t(block.first_term), std::size_t(block.term_count));
 }
 
-// How a solver with substeps drives the model between its solves. Implemented by step/, which knows joints.
-struct Substeps {
-    void* model = nullptr;
-    // v += h M^-1 f with gravity and gyroscopic torque.
-    void (*apply_forces)(void* model, Velocity* bodies, Real h) = nullptr;
-    // x += h v, and bodies rotate; angular velocities above a body's limit are cut. Updates `system.poses`
-    // and nothing else.
-    void (*advance)(void* model, RowSystem& system, Velocity* bodies, Real h) = nullptr;
-    // Updates the bodies themselves and the inertia in the SolverBodies to the poses.
-    void (*settle)(void* model, RowSystem& system) = nullptr;
-    // Settles everything and rewrites Jacobians and errors of the rows at the present pose and velocities,
-    // except those that are followed and those of contacts. Numbers of rows, kinds and bounds do not change.
-    void (*refresh)(void* model, RowSystem& system, const Velocity* bodies) = nullptr;
-    // After everything has settled: contact rows act at one point of the present pose again, so that impulses
-    // conserve angular momentum.
-    void (*gather_contacts)(void* model, RowSystem& system) = nullptr;
-};
-
 // J_i v of row r between bodies a and b (null: world).
 inline Real row_velocity(const Row& r, const SolverBody& a, const SolverBody* b)
 {

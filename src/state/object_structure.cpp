@@ -8,8 +8,8 @@
 #include "contacts/material.h"
 #include "math/rotation.h"
 #include "ode/shapes.h"
-#include "step/hybrid.h"
 #include "step/step.h"
+#include "step/steppers/stepper.h"
 
 namespace epode {
 namespace {

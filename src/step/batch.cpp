@@ -16,6 +16,7 @@
 #include "query/candidates.h"
 #include "step/common/link.h"
 #include "step/step.h"
+#include "step/steppers/stepper.h"
 #include "tasks/tasks.h"
 
 namespace epode {
@@ -269,13 +270,9 @@ void WorldBatch::fetch_ahead(int piece) const
 
 int WorldBatch::make_steps(World& world, const Step& step, int steps, StepMemory* lent) const
 {
-    const auto make = [&] {
-        if (!step.solver) return step_world_hybrid(world, step.h, lent);
-        return step_world(world, *step.solver, step.h,
-                          step.solver->substeps ? step.substeps : world.quick_iterations, lent);
-    };
+    const int iterations = step.stepper.has_substeps ? step.substeps : world.quick_iterations;
     int done = 0;
-    while (done < steps && make()) ++done;
+    while (done < steps && step_world(world, step.stepper, step.h, iterations, lent)) ++done;
     return done;
 }
 

@@ -16,16 +16,17 @@
 
 #include "base/array.h"
 #include "dynamics/world.h"
-#include "solve/solver.h"
 
 namespace epode {
+
+struct Stepper;
 
 class WorldBatch {
   public:
     struct Step {
-        const Solver* solver;  // null: hybrid
+        const Stepper& stepper;
         Real h;
-        int substeps;  // of solvers with substeps
+        int substeps;  // of steppers with substeps
     };
 
     // The worlds are different and in no step; they are marked as stepping until the end of the batch, so

@@ -11,7 +11,6 @@
 #include "contacts/contact_world.h"
 #include "dynamics/world.h"
 #include "solve/exact/factor/symbolic_cache.h"
-#include "solve/solver.h"
 #include "step/common/contact_cache.h"
 #include "step/common/continuous.h"
 #include "step/common/cut_short.h"
@@ -21,6 +20,8 @@
 #include "step/world_events.h"
 
 namespace epode {
+
+struct Stepper;
 
 // Looks at steps from above, and changes nothing that they compute.
 struct StepObserver {
@@ -87,12 +88,9 @@ void free_working_memory(World& world);
 // False: memory is exhausted, or another step uses the working memory; the world is then unchanged except for
 // the feedback of joints and the report.
 // `lent`: memory to work in instead of the world's own.
-bool step_world(World& world, const Solver& solver, Real h, int iterations, StepMemory* lent = nullptr);
+bool step_world(World& world, const Stepper& stepper, Real h, int iterations, StepMemory* lent = nullptr);
 
 inline constexpr int kMaxSubsteps = 10000;
-
-// The same, with a solver chosen for each island (step/hybrid).
-bool step_world_hybrid(World& world, Real h, StepMemory* lent = nullptr);
 
 // The world's StepState, created if it has none; null when memory is exhausted.
 StepState* step_state(World& world);

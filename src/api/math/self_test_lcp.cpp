@@ -195,8 +195,8 @@ double body_residual(Arena& arena, std::uint64_t seed)
     if (!problem.take(arena)) return HUGE_VAL;
     problem.roll(dice);
     SolveReport report;
-    const SolverSettings settings;
-    return kDirect.solve(problem.system, settings, arena, report) ? problem.residual() : HUGE_VAL;
+    const ExactSettings settings;
+    return solve_exactly(problem.system, settings, arena, report) ? problem.residual() : HUGE_VAL;
 }
 
 // The worst of `count` problems; one that is not a number is worse than any.

@@ -53,7 +53,7 @@ class Best {
 
 }  // namespace
 
-bool solve_coulomb(SolveBoxes solve, RowSystem& system, const SolverSettings& settings, Arena& arena,
+bool solve_coulomb(SolveBoxes solve, RowSystem& system, const ExactSettings& settings, Arena& arena,
                    SolveReport& report)
 {
     Arena::Scope scope(arena);

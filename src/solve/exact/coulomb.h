@@ -26,11 +26,11 @@
 namespace epode {
 
 // Solves a system as in direct.cpp. False: out of memory.
-using SolveBoxes = bool (*)(RowSystem& system, const SolverSettings& settings, Arena& arena,
+using SolveBoxes = bool (*)(RowSystem& system, const ExactSettings& settings, Arena& arena,
                             SolveReport& report);
 
 // Has `solve` solve the system until friction is Coulomb's. False: out of memory.
-bool solve_coulomb(SolveBoxes solve, RowSystem& system, const SolverSettings& settings, Arena& arena,
+bool solve_coulomb(SolveBoxes solve, RowSystem& system, const ExactSettings& settings, Arena& arena,
                    SolveReport& report);
 
 }  // namespace epode

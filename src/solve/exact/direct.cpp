@@ -40,7 +40,7 @@ class DirectSolve {
     // point is available.
     explicit DirectSolve(bool give_up_early) : give_up_early_(give_up_early) {}
 
-    bool prepare(RowSystem& system, const SolverSettings& settings, Arena& arena)
+    bool prepare(RowSystem& system, const ExactSettings& settings, Arena& arena)
     {
         refine_above_ = settings.refine_above;
         const int m = int(system.rows.size());
@@ -175,7 +175,7 @@ bool give_up(SolveReport& report)
     return true;
 }
 
-bool solve_large(RowSystem& system, const SolverSettings& settings, bool pivot, Arena& arena,
+bool solve_large(RowSystem& system, const ExactSettings& settings, bool pivot, Arena& arena,
                  SolveReport& report)
 {
     {
@@ -194,7 +194,7 @@ bool solve_large(RowSystem& system, const SolverSettings& settings, bool pivot, 
     return solve_large(system, settings, false, arena, report);
 }
 
-bool solve_boxes(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
+bool solve_boxes(RowSystem& system, const ExactSettings& settings, Arena& arena, SolveReport& report)
 {
     if (!system.terms.empty()) return solve_large(system, settings, false, arena, report);
     switch (solve_small(system, settings, arena, report)) {
@@ -209,7 +209,7 @@ bool solve_boxes(RowSystem& system, const SolverSettings& settings, Arena& arena
     return solve_large(system, settings, can_pivot(system), arena, report);
 }
 
-bool solve_pieces(const RowSystem& whole, const SolverSettings& settings, Arena& arena, SolveReport& report)
+bool solve_pieces(const RowSystem& whole, const ExactSettings& settings, Arena& arena, SolveReport& report)
 {
     RowSystem system = whole;
     if (!cut_blocks(system, arena)) return false;
@@ -225,7 +225,9 @@ void judge(const RowSystem& system, std::span<const SolverBody> before, SolveRep
     report.unsolved_joint = stored.worst_joint, report.unsolved_joints = stored.unsolved_joints;
 }
 
-bool solve_direct(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
+}  // namespace
+
+bool solve_exactly(RowSystem& system, const ExactSettings& settings, Arena& arena, SolveReport& report)
 {
     if (system.rows.empty()) return true;
     Arena::Scope scope(arena);
@@ -237,9 +239,5 @@ bool solve_direct(RowSystem& system, const SolverSettings& settings, Arena& aren
     if (!report.gave_up) judge(system, before, report);
     return true;
 }
-
-}  // namespace
-
-const Solver kDirect{.name = "direct", .needs_inertia = true, .inner_tasks = true, .solve = solve_direct};
 
 }  // namespace epode

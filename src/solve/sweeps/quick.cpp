@@ -33,9 +33,9 @@ struct Sweeps {
     JointLanes joints;
     RowSweep others;  // contacts of other kinds
 
-    explicit Sweeps(const SolverSettings& settings) : joints(settings.iterations) {}
+    explicit Sweeps(const SweepSettings& settings) : joints(settings.iterations) {}
 
-    bool pack(const RowSystem& system, const SolverSettings& settings, Arena& arena)
+    bool pack(const RowSystem& system, const SweepSettings& settings, Arena& arena)
     {
         auto taken = arena.take<bool>(int(system.blocks.size()));
         if (arena.failed()) return false;
@@ -56,7 +56,7 @@ struct Sweeps {
         rows.store_impulses(system);
     }
 
-    void run(std::span<Velocity> bodies, const SolverSettings& settings)
+    void run(std::span<Velocity> bodies, const SweepSettings& settings)
     {
         const int iterations = settings.iterations;
         const Real w = settings.w;
@@ -89,9 +89,8 @@ std::span<RowBlock> blocks_of(const RowSystem& system, std::size_t part)
     return {system.blocks.begin(), end};
 }
 
-bool find_residuals(const RowSystem& given, const SolverSettings& settings,
-                    std::span<const SolverBody> before, std::span<const ManifoldFriction> frictions,
-                    Arena& arena, SolveReport& report)
+bool find_residuals(const RowSystem& given, const SweepSettings& settings, std::span<const SolverBody> before,
+                    std::span<const ManifoldFriction> frictions, Arena& arena, SolveReport& report)
 {
     RowSystem system;
     if (!expand_manifolds(given, arena, system)) return false;
@@ -110,7 +109,9 @@ bool find_residuals(const RowSystem& given, const SolverSettings& settings,
     return report.residual >= 0;
 }
 
-bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
+}  // namespace
+
+bool solve_by_sweeps(RowSystem& system, const SweepSettings& settings, Arena& arena, SolveReport& report)
 {
     report.method = dIslandMethodSweeps;
     report.iterations = std::max(settings.iterations, 0);
@@ -142,14 +143,5 @@ bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena
               [](const ManifoldFriction& f, const ManifoldFriction& g) { return f.body1 < g.body1; });
     return find_residuals(system, settings, before, frictions, arena, report);
 }
-
-}  // namespace
-
-const Solver kQuick{.name = "quick",
-                    .joint_manifolds = true,
-                    .cones = true,
-                    .warm_share = Real(0.6),
-                    .settling_factor = 5,
-                    .solve = solve_quick};
 
 }  // namespace epode

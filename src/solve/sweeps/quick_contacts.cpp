@@ -78,7 +78,7 @@ bool all_parts_stand(const RowSystem& system, const JointManifoldList& list)
 }  // namespace
 
 bool QuickContacts::pack(const RowSystem& system, const JointManifoldList& list,
-                         const SolverSettings& settings, bool alone, Arena& arena)
+                         const SweepSettings& settings, bool alone, Arena& arena)
 {
     in_floats_ = list.points.empty()
                      ? alone

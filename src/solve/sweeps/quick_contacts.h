@@ -25,7 +25,7 @@ namespace epode {
 class QuickContacts {
   public:
     // `alone`: no other code needs the Real velocities between begin() and end(). False: out of memory.
-    bool pack(const RowSystem& system, const JointManifoldList& list, const SolverSettings& settings,
+    bool pack(const RowSystem& system, const JointManifoldList& list, const SweepSettings& settings,
               bool alone, Arena& arena);
 
     void begin(std::span<Velocity> bodies);  // v += M^-1 J^T p

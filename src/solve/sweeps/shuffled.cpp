@@ -89,10 +89,13 @@ bool find_residual(const RowSystem& system, std::span<const SolverBody> before, 
     return report.residual >= 0;
 }
 
-bool solve_shuffled(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
+}  // namespace
+
+bool solve_by_shuffled_sweeps(RowSystem& system, const SweepSettings& settings, Arena& arena,
+                              SolveReport& report)
 {
     if (has_wide_rows(system))
-        return kQuick.solve(system, settings, arena, report);  // couplings are no ODE's
+        return solve_by_sweeps(system, settings, arena, report);  // couplings are no ODE's
     report.method = dIslandMethodSweeps;
     report.iterations = std::max(settings.iterations, 0);
     if (system.rows.empty()) return true;
@@ -109,9 +112,5 @@ bool solve_shuffled(RowSystem& system, const SolverSettings& settings, Arena& ar
     sweeps.store_impulses(system);
     return before.empty() || find_residual(system, before, arena, report);
 }
-
-}  // namespace
-
-const Solver kShuffled{.name = "shuffled", .draws = true, .warm_share = 0, .solve = solve_shuffled};
 
 }  // namespace epode

@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// How an island is to be solved in a step, and what came of it.
+// How an island is to be stepped, and what came of it.
 #pragma once
 
-#include "solve/solver.h"
+#include "math/vec.h"
 
 namespace epode {
 
+struct Stepper;
+
 struct IslandMethod {
-    const Solver* solver;
+    const Stepper* stepper;
+    int iterations = 0;
     // Of an exact solution that must not take more than `max_work` microseconds of counted work
     // (solve/common/work_meter.h): what takes its place then, and its number of substeps.
-    const Solver* fallback = nullptr;
+    const Stepper* fallback = nullptr;
     int fallback_iterations = 0;
     double max_work = kInf;
 
     double work = 0;        // of an exact solution
-    bool gave_up = false;   // it would have taken more: the fallback has solved the island
+    bool gave_up = false;   // it would have taken more: the fallback has stepped the island
     bool strained = false;  // its joints came apart (step/island/strain.h)
     Real gap = 0;           // of its joints at the step's beginning, relative, likewise
 };

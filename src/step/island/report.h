@@ -8,6 +8,7 @@
 #include <span>
 
 #include "ode/report.h"
+#include "solve/solver.h"
 #include "step/common/continuous.h"
 #include "step/island/positions/projection.h"
 #include "step/island/problem/assemble.h"

@@ -12,7 +12,7 @@
 //                                          joints acts: contacts, stops, motors, forces of the program
 //
 // Either alone is common in health: blows part joints, motors raise energy. Such an island takes exact joints
-// in its next steps (step/hybrid.h); a false alarm costs time only.
+// in its next steps (step/steppers/hybrid.h); a false alarm costs time only.
 //
 // A structure of many joints may give way without a gain: what a sweep removes of an error that many joints
 // share is small (step/island/problem/joint_memory.h), and where weight presses harder than that, a wall leans

@@ -11,7 +11,7 @@
 #include "dynamics/integrate.h"
 #include "dynamics/world.h"
 #include "ode/ode.h"
-#include "step/island/substeps.h"
+#include "step/island/substep_model.h"
 #include "systems.h"
 
 namespace {
@@ -85,12 +85,11 @@ TEST(BodyLanes, move_bodies_to_the_bit_as_they_move_one_by_one)
         Arena arena;
         SubstepModel model(together.work(), together.world(), {}, false, {}, Tasks(3));
         ASSERT_TRUE(model.prepare(arena));
-        const Substeps calls = model.callbacks();
         std::vector<Velocity> v(kBodies + 1);
         load_velocities(together.work().system, v);
         for (int step = 0; step < 20; ++step) {
-            calls.apply_forces(calls.model, v.data(), kStep);
-            calls.advance(calls.model, together.work().system, v.data(), kStep);
+            model.apply_forces(v, kStep);
+            model.advance(v, kStep);
             for (std::size_t i = 0; i < kBodies; ++i) {
                 Body& body = *alone.bodies()[i];
                 SolverBody& s = alone.solver()[i];
@@ -101,7 +100,7 @@ TEST(BodyLanes, move_bodies_to_the_bit_as_they_move_one_by_one)
                 load_inertia(body, s);
             }
         }
-        calls.settle(calls.model, together.work().system);
+        model.settle();
         for (std::size_t i = 0; i < kBodies; ++i) {
             SCOPED_TRACE(i);
             const Body &a = *together.bodies()[i], &b = *alone.bodies()[i];

@@ -91,7 +91,7 @@ TEST(Condensed, AgreesWithPivotingOnAllRows)
         EXPECT_EQ(report.factorisations, 1) << seed;
         Arena arena;
         RowSystem system = other.system();
-        if (solve_by_pivoting(system, SolverSettings(), arena, wanted) != SmallResult::kSolved) continue;
+        if (solve_by_pivoting(system, ExactSettings(), arena, wanted) != SmallResult::kSolved) continue;
         ++compared;
         expect_same_velocities(p, other, seed);
     }

@@ -17,11 +17,11 @@ using Wide = long double;
 SolveReport run(Problem& p)
 {
     Arena arena;
-    SolverSettings settings;
+    ExactSettings settings;
     settings.want_residual = true;
     SolveReport report;
     RowSystem system = p.system();
-    EXPECT_TRUE(kDirect.solve(system, settings, arena, report));
+    EXPECT_TRUE(solve_exactly(system, settings, arena, report));
     for (const SolverBody& b : p.bodies)
         EXPECT_TRUE(std::isfinite(length2(b.v)) && std::isfinite(length2(b.w)));
     for (const RowNumbers& n : p.numbers) EXPECT_TRUE(std::isfinite(n.p));

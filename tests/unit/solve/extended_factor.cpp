@@ -89,7 +89,7 @@ TEST(ExtendedFactor, LongLeverArmsKeepThePromiseOfTheExactSolver)
             Arena arena;
             SolveReport report;
             RowSystem system = p.system();
-            ASSERT_TRUE(kDirect.solve(system, SolverSettings(), arena, report));
+            ASSERT_TRUE(solve_exactly(system, ExactSettings(), arena, report));
             EXPECT_LE(report.residual, 1e-9) << far << " " << seed;
         }
 }

@@ -13,16 +13,23 @@ namespace {
 
 using namespace epode_test;
 
-SolveReport run(const Solver& solver, Problem& p, int iterations = 20, Real w = Real(1.3),
-                std::uint64_t seed = 1)
+SolveReport run(Problem& p, int iterations = 20, Real w = Real(1.3), std::uint64_t seed = 1)
 {
     Arena arena;
-    SolverSettings settings;
+    SweepSettings settings;
     settings.iterations = iterations, settings.w = w, settings.seed = seed, settings.want_residual = true;
     SolveReport report;
     RowSystem system = p.system();
-    EXPECT_TRUE(solver.solve(system, settings, arena, report));
+    EXPECT_TRUE(solve_by_sweeps(system, settings, arena, report));
     return report;
+}
+
+void solve_exact(Problem& p)
+{
+    Arena arena;
+    SolveReport report;
+    RowSystem system = p.system();
+    EXPECT_TRUE(solve_exactly(system, {.want_residual = true}, arena, report));
 }
 
 Real difference(const Problem& a, const Problem& b)
@@ -75,8 +82,8 @@ TEST(Quick, ReachesTheExactAnswerWithoutFriction)
         RandomKind kind;
         kind.mu = -1, kind.joints = 3, kind.heaviest = 3, kind.cfm = Real(5e-3);
         Problem exact = random_problem(seed, kind), quick = random_problem(seed, kind);
-        run(kDirect, exact);
-        run(kQuick, quick, 2000);
+        solve_exact(exact);
+        run(quick, 2000);
         EXPECT_LT(difference(exact, quick), kSingle ? 1e-2 : 1e-6) << "seed " << seed;
     }
 }
@@ -87,7 +94,7 @@ TEST(Quick, PackedContactsEqualTheSameRowsInGeneralForm)
     RandomKind kind;
     kind.joints = 0, kind.contacts = 5, kind.heaviest = 2, kind.cfm = Real(1e-3);
     Problem packed = random_problem(7, kind), general = in_general_form(packed);
-    const SolveReport a = run(kQuick, packed, 3000, 1), b = run(kQuick, general, 3000, 1);
+    const SolveReport a = run(packed, 3000, 1), b = run(general, 3000, 1);
     EXPECT_LT(a.residual, kSingle ? 1e-4 : 1e-10);
     EXPECT_LT(b.residual, kSingle ? 1e-4 : 1e-10);
     EXPECT_LT(difference(packed, general), kSingle ? 1e-3 : 1e-8);
@@ -104,8 +111,8 @@ TEST(Quick, OneVisitIsTheSameOnBothPaths)
         packed.contact(1, 0, {Real(.2), Real(.4), 1}, {0, 0, 1}, Real(.01), Real(.4), Real(1e-3),
                        proportional);
         Problem general = in_general_form(packed);
-        run(kQuick, packed, 1);
-        run(kQuick, general, 1);
+        run(packed, 1);
+        run(general, 1);
         EXPECT_LT(difference(packed, general), 50 * kEpsilon);
         EXPECT_NE(packed.numbers[0].p, 0);
         for (std::size_t i = 0; i < 3; ++i)
@@ -118,7 +125,7 @@ TEST(Quick, ResidualFallsWithSweeps)
     Real last = kInf;
     for (const int sweeps : {5, 50, 500, 5000}) {
         Problem p = pyramid(6, Real(.5), Real(1e-5));
-        const SolveReport report = run(kQuick, p, sweeps);
+        const SolveReport report = run(p, sweeps);
         EXPECT_EQ(report.iterations, sweeps);
         EXPECT_LT(report.residual, last);
         last = report.residual;
@@ -132,7 +139,7 @@ TEST(Quick, BoundsHoldAfterAnyNumberOfSweeps)
         for (const int sweeps : {1, 3, 20}) {
             Problem p = random_problem(seed, {});
             for (RowNumbers& n : p.numbers) n.p = Dice(seed).real(-5, 5);  // a warm start from anywhere
-            run(kQuick, p, sweeps);
+            run(p, sweeps);
             expect_within_bounds(p);
         }
 }
@@ -144,7 +151,7 @@ TEST(Quick, VelocitiesAreThoseOfTheImpulses)
         kind.contacts = 20, kind.kinematic = seed % 2;
         Problem p = random_problem(seed, kind), by_hand = p;
         for (RowNumbers& n : p.numbers) n.p = Real(.1);
-        run(kQuick, p, 20);
+        run(p, 20);
         for (const RowBlock& block : p.blocks)
             for (int i = block.first; i < block.first + block.count; ++i)
                 apply_impulse(p.rows[std::size_t(i)], p.numbers[std::size_t(i)].p,
@@ -172,7 +179,7 @@ TEST(Quick, MomentumOfFreeBodiesIsKept)
     Vec3 l0, a0, l1, a1;
     momentum(l0, a0);
     const Vec3 v0 = p.bodies[0].v;
-    run(kQuick, p, 20);
+    run(p, 20);
     momentum(l1, a1);
     EXPECT_FALSE(p.bodies[0].v == v0);
     EXPECT_LT(max_component(abs(l1 - l0)), kSingle ? 1e-3 : 1e-11);
@@ -184,7 +191,7 @@ TEST(Quick, NoSweepsMeansNoConstraints)
     for (const int sweeps : {0, -5}) {
         Problem p = random_problem(5, {}), before = p;
         for (RowNumbers& n : p.numbers) n.p = 1;
-        run(kQuick, p, sweeps);
+        run(p, sweeps);
         EXPECT_EQ(difference(p, before), 0);
         for (const RowNumbers& n : p.numbers) EXPECT_EQ(n.p, 0);
     }
@@ -194,7 +201,7 @@ TEST(Quick, NoRowsIsNoWork)
 {
     Problem p;
     p.body({}, 1);
-    EXPECT_EQ(run(kQuick, p).residual, 0);
+    EXPECT_EQ(run(p).residual, 0);
 }
 
 TEST(Quick, KinematicBodiesKeepTheirVelocity)
@@ -203,7 +210,7 @@ TEST(Quick, KinematicBodiesKeepTheirVelocity)
     kind.kinematic = true, kind.contacts = 30;
     Problem p = random_problem(11, kind);
     const SolverBody before = p.bodies[0];
-    run(kQuick, p);
+    run(p);
     EXPECT_TRUE(p.bodies[0].v == before.v && p.bodies[0].w == before.w);
 }
 
@@ -216,7 +223,7 @@ TEST(Quick, InfiniteFrictionWithoutLoadSticks)
         p.bodies[0].v = {1, 0, 1};  // sliding and leaving
         p.contact(0, -1, {0, 0, 0}, {0, 0, 1}, 0, kInf, Real(1e-9));
         if (!packed) p = in_general_form(p);
-        run(kQuick, p, 200);
+        run(p, 200);
         EXPECT_EQ(p.numbers[0].p, 0);
         EXPECT_LT(std::fabs(p.bodies[0].v.x + Real(.5) * -p.bodies[0].w.y), 1e-3);
     }
@@ -232,7 +239,7 @@ TEST(Quick, EmptyRowsAreIgnored)
     p.block(0, -1, true, {empty});
     p.numbers.back().p = 3;
     p.pull({0, 0, Real(-9.81)});
-    run(kQuick, p);
+    run(p);
     EXPECT_EQ(p.numbers.back().p, 0);
     EXPECT_TRUE(std::isfinite(p.bodies[0].v.z));
 }
@@ -241,16 +248,16 @@ TEST(Quick, EverySafeOverRelaxationConverges)
 {
     for (const Real w : {Real(.3), Real(1), Real(1.3), Real(1.7)}) {
         Problem p = chain(12, 5, Real(1e-6));
-        EXPECT_LT(run(kQuick, p, 1500, w).residual, kSingle ? 1e-3 : 1e-9) << w;
+        EXPECT_LT(run(p, 1500, w).residual, kSingle ? 1e-3 : 1e-9) << w;
     }
 }
 
 TEST(Quick, SameSeedSameBitsOtherSeedOtherOrder)
 {
     Problem a = pyramid(6, Real(.5)), b = pyramid(6, Real(.5)), c = pyramid(6, Real(.5));
-    run(kQuick, a, 20, Real(1.3), 42);
-    run(kQuick, b, 20, Real(1.3), 42);
-    run(kQuick, c, 20, Real(1.3), 43);
+    run(a, 20, Real(1.3), 42);
+    run(b, 20, Real(1.3), 42);
+    run(c, 20, Real(1.3), 43);
     EXPECT_EQ(difference(a, b), 0);
     EXPECT_GT(difference(a, c), 0);
 }
@@ -265,7 +272,7 @@ TEST(Quick, PilesInFloatsAreAsNearTheAnswerAsInReals)
         Real sum = 0, sum_of_reals = 0;
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
             Problem a = floats, b = reals;
-            sum += run(kQuick, a, 50, 1, seed).residual, sum_of_reals += run(kQuick, b, 50, 1, seed).residual;
+            sum += run(a, 50, 1, seed).residual, sum_of_reals += run(b, 50, 1, seed).residual;
         }
         EXPECT_LT(sum, Real(1.1) * sum_of_reals);
         EXPECT_NE(sum, sum_of_reals) << "both are in Reals";
@@ -276,12 +283,12 @@ TEST(Quick, WarmStartAtTheAnswerStaysThere)
 {
     Problem p = pyramid(5, Real(.5), Real(1e-3));
     const Problem start = p;
-    run(kQuick, p, 20000, 1);
+    run(p, 20000, 1);
     for (const int sweeps : {1, 60}) {  // in floats; so many that they are in Reals
         Problem again = start;
         for (std::size_t i = 0; i < p.numbers.size(); ++i) again.numbers[i].p = p.numbers[i].p;
         const double tolerance = sweeps == 1 ? 1e-6 : 1e-9;
-        EXPECT_LT(run(kQuick, again, sweeps, 1).residual, kSingle ? 1e-3 : tolerance) << sweeps;
+        EXPECT_LT(run(again, sweeps, 1).residual, kSingle ? 1e-3 : tolerance) << sweeps;
     }
 }
 
@@ -298,7 +305,7 @@ TEST(Quick, FrictionlessAndRollingContactsShareAnIsland)
         of.push_back(roll);
     }
     p.block(0, -1, true, of);
-    const SolveReport report = run(kQuick, p, 5000);
+    const SolveReport report = run(p, 5000);
     EXPECT_LT(report.residual, 1e-2);
     expect_within_bounds(p);
 }

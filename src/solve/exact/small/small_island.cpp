@@ -31,7 +31,7 @@ void count_work(WorkMeter* work, double time)
     if (work) work->spent += time;
 }
 
-SmallResult solve_with(Method method, RowSystem& system, const SolverSettings& settings, Arena& arena,
+SmallResult solve_with(Method method, RowSystem& system, const ExactSettings& settings, Arena& arena,
                        SolveReport& report)
 {
     Arena::Scope scope(arena);
@@ -79,13 +79,13 @@ bool can_pivot(const RowSystem& system)
     return system.rows.size() <= kPivotMax && system.blocks.size() <= kMaxBlocks;
 }
 
-SmallResult solve_by_pivoting(RowSystem& system, const SolverSettings& settings, Arena& arena,
+SmallResult solve_by_pivoting(RowSystem& system, const ExactSettings& settings, Arena& arena,
                               SolveReport& report)
 {
     return solve_with(Method::kPivoting, system, settings, arena, report);
 }
 
-SmallResult solve_small(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
+SmallResult solve_small(RowSystem& system, const ExactSettings& settings, Arena& arena, SolveReport& report)
 {
     std::size_t dynamic = 0;
     for (const SolverBody& body : system.bodies) dynamic += body.inv_mass > 0;

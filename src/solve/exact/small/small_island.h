@@ -12,11 +12,11 @@ namespace epode {
 enum class SmallResult { kSolved, kNotSolved, kNoMemory };
 
 // For chains, figures and a few bodies on the ground; tried before all other methods.
-SmallResult solve_small(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report);
+SmallResult solve_small(RowSystem& system, const ExactSettings& settings, Arena& arena, SolveReport& report);
 
 // For piles of a few bodies on which the active set did not settle.
 bool can_pivot(const RowSystem& system);
-SmallResult solve_by_pivoting(RowSystem& system, const SolverSettings& settings, Arena& arena,
+SmallResult solve_by_pivoting(RowSystem& system, const ExactSettings& settings, Arena& arena,
                               SolveReport& report);
 
 }  // namespace epode

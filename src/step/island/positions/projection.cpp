@@ -34,6 +34,7 @@
 #include "joints/drive_rows.h"
 #include "rows/policy.h"
 #include "solve/exact/equalities.h"
+#include "solve/solver.h"
 #include "step/island/positions/free_momentum.h"
 #include "step/island/positions/position_rows.h"
 #include "step/island/positions/tension.h"
@@ -256,11 +257,11 @@ class Projection {
     {
         const bool small = system_.rows.size() <= kFewRows;
         if (!one_sided_ && !small) return solve_equalities(system_, &symbolic_cache_, arena_);
-        SolverSettings settings;
+        ExactSettings settings;
         settings.tasks = tasks;
         settings.symbolic_cache = &symbolic_cache_;
         SolveReport report;
-        return kDirect.solve(system_, settings, arena_, report);
+        return solve_exactly(system_, settings, arena_, report);
     }
 
     void load_bodies()

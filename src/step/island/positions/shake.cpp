@@ -203,11 +203,11 @@ class Shake {
     bool solve()
     {
         if (system_.rows.size() > kFewRows) return solve_equalities(system_, &symbolic_cache_, arena_);
-        SolverSettings settings;
+        ExactSettings settings;
         settings.tasks = tasks_;
         settings.symbolic_cache = &symbolic_cache_;
         SolveReport report;
-        return kDirect.solve(system_, settings, arena_, report);
+        return solve_exactly(system_, settings, arena_, report);
     }
 
     // J(x') v = what the rows want, at the poses that have been reached.

@@ -50,15 +50,7 @@ class StopSystem {
         return true;
     }
 
-    bool solve(const Solver& solver, const Tasks& tasks)
-    {
-        SolverSettings settings;
-        settings.tasks = tasks;
-        settings.iterations = world_.quick_iterations;
-        settings.w = world_.quick_w;
-        SolveReport report;
-        return solver.solve(system_, settings, arena_, report);
-    }
+    bool solve(SolveStops way, const Tasks& tasks) { return way(system_, world_, tasks, arena_); }
 
     // Islands that are stepped together know nothing of each other.
     void move() const
@@ -144,12 +136,12 @@ bool leave_stops_to_poses(const World& world, RowSystem& system)
     return any;
 }
 
-void close_stops(const World& world, const IslandWork& work, const Solver& solver, const Tasks& tasks,
+void close_stops(const World& world, const IslandWork& work, SolveStops solve, const Tasks& tasks,
                  Arena& arena)
 {
     Arena::Scope scope(arena);
     StopSystem stops(world, work, arena);
-    if (stops.prepare() && stops.solve(solver, tasks)) stops.move();
+    if (stops.prepare() && stops.solve(solve, tasks)) stops.move();
 }
 
 }  // namespace epode

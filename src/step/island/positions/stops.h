@@ -20,8 +20,11 @@ namespace epode {
 // Takes the correction of stops that would throw out of the velocities of the step. False: there are none.
 bool leave_stops_to_poses(const World& world, RowSystem& system);
 
+// Solves the problem of a closing with what the stepper solves its steps with. False: out of memory.
+using SolveStops = bool (*)(RowSystem& system, const World& world, const Tasks& tasks, Arena& arena);
+
 // The island's poses have been advanced by h. Out of memory: all stays.
-void close_stops(const World& world, const IslandWork& work, const Solver& solver, const Tasks& tasks,
+void close_stops(const World& world, const IslandWork& work, SolveStops solve, const Tasks& tasks,
                  Arena& arena);
 
 }  // namespace epode

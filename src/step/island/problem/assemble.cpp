@@ -200,9 +200,9 @@ Real touching_depth(const World& world, Real h)
 }
 
 // A cone has no directions of its own.
-bool bounds_friction_along_slip(const World& world, const Solver& solver)
+bool bounds_friction_along_slip(const World& world, const ProblemForm& form)
 {
-    return !world.acts_as_ode() && !world.friction_cone && !solver.cones;
+    return !world.acts_as_ode() && !world.friction_cone && !form.cones;
 }
 
 }  // namespace
@@ -247,81 +247,131 @@ void load_pushed_exactly(Body& body, Real h, SolverBody& out)
 
 namespace {
 
-void load_body(const World& world, Real h, const Solver& solver, Body& body, SolverBody& out)
+void load_body(const World& world, Real h, const ProblemForm& form, Body& body, SolverBody& out)
 {
-    solver.needs_inertia ? load_mass_and_inertias(body, out) : load_inertia(body, out);
-    if (!solver.substeps)
+    form.inertia ? load_mass_and_inertias(body, out) : load_inertia(body, out);
+    if (!form.has_substeps)
         return turns_exactly(world, body) ? load_pushed_exactly(body, h, out) : load_pushed(body, h, out);
     load_velocity(body, out);
     if (world.exact_rotation) body.spin_excess = {};  // it turns bodies in its own way
 }
 
-}  // namespace
-
-bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Arena& arena, IslandWork& work,
-              StepUndo* undo)
+StepInfo info_for(const World& world, Real h, const ProblemForm& form, const Island& island)
 {
-    const Island& island = work.island;
-    const bool forces_known = island.joints.empty();
-    const std::size_t first = undo ? undo->first_of(island.bodies) : 0;
-    work.system.h = h;
-    if (!sort_joints(island, solver.joint_manifolds, arena, work)) return false;
-    const std::span<Joint*> joints = work.joints;
-    const int joint_count = int(joints.size()), contact_count = int(work.contacts.size());
-    const bool as_rows = !solver.contact_manifolds;
-    const int points = as_rows ? manifold_point_count(island) : 0;
-    work.system.bodies = arena.take<SolverBody>(int(island.bodies.size()));
-    work.system.joint_contacts.manifolds = arena.take<JointManifold>(contact_count);
-    work.system.joint_contacts.points = arena.take<JointManifoldPoint>(contact_count);
-    work.system.blocks = arena.take<RowBlock>(joint_count + points);
-    const int driven = std::min(joint_count, world.driven_joints);
-    work.system.rows = arena.take<Row>(joint_count * kMaxJointRows + driven * kMaxDriveRows +
-                                       (as_rows ? manifold_row_count(island) : 0));
-    work.system.terms = arena.take<WideTerm>(kMaxBodyTerms * std::min(joint_count, world.couplings.size()));
-    const auto manifolds = arena.take<ContactManifold*>(as_rows ? 0 : int(island.manifolds.size()));
-    if (arena.failed()) {
-        work.joints = work.contacts = {};  // nothing was written there
-        return false;
+    StepInfo info = step_info(world, h);
+    if (form.keeps_depth) info.contact_layer = std::max(info.contact_layer, island.kept_depth);
+    info.touching_depth = touching_depth(world, h);  // only sweeps take manifolds
+    info.cone = world.friction_cone && form.cones;
+    info.friction_along_slip = bounds_friction_along_slip(world, form);
+    return info;
+}
+
+class Assembly {
+  public:
+    Assembly(World& world, Real h, const ProblemForm& form, Arena& arena, IslandWork& work)
+        : world_(world), h_(h), form_(form), arena_(arena), work_(work), system_(work.system)
+    {
+        system_.h = h;
     }
 
-    const std::span<Body* const> bodies = island.bodies;
-    for_each_prefetched<kLinesOfBody>(tasks, bodies, [&](std::size_t i, Body& body) {
-        if (undo) undo->save(first + i);
-        body.island_index = int(i);
-        add_gravity(body, world.gravity);
-        if (forces_known) load_body(world, h, solver, body, work.system.bodies[i]);
-    });
-    int rows = 0, blocks = 0;
-    StepInfo info = step_info(world, h);
-    if (solver.settling_factor > 1) info.contact_layer = std::max(info.contact_layer, island.kept_depth);
-    info.touching_depth = touching_depth(world, h);  // only sweeps take manifolds
-    info.cone = world.friction_cone && solver.cones;
-    info.friction_along_slip = bounds_friction_along_slip(world, solver);
-    write_manifolds(work.contacts, info, work.system.joint_contacts);
-    emit_rows(info, joints, undo != nullptr, work, rows, blocks);
-    work.joints = work.joints.first(std::size_t(blocks));
-    place_manifolds(tasks, island);
-    if (as_rows) emit_manifolds(info, solver.cones, work, rows, blocks);
-    for (std::size_t i = 0; i < manifolds.size(); ++i) manifolds[i] = island.manifolds[i]->manifold;
-    work.system.contact_manifolds = manifolds;
-    work.system.blocks = work.system.blocks.first(std::size_t(blocks));
-    work.system.rows = work.system.rows.first(std::size_t(rows));
-    if (&solver == &kDirect && world.friction_cone) mark_coulomb(work.system);
-    work.system.numbers = arena.take<RowNumbers>(rows);
-    if (arena.failed() || !mark_parts(arena, work)) return false;
-    if (solver.substeps && !place_wrenches(arena, work)) return false;
+    // False: out of memory.
+    bool take_memory()
+    {
+        const Island& island = work_.island;
+        if (!sort_joints(island, form_.joint_manifolds, arena_, work_)) return false;
+        const int joints = int(work_.joints.size()), contacts = int(work_.contacts.size());
+        const bool as_rows = !form_.contact_manifolds;
+        driven_ = std::min(joints, world_.driven_joints);
+        system_.bodies = arena_.take<SolverBody>(int(island.bodies.size()));
+        system_.joint_contacts.manifolds = arena_.take<JointManifold>(contacts);
+        system_.joint_contacts.points = arena_.take<JointManifoldPoint>(contacts);
+        system_.blocks = arena_.take<RowBlock>(joints + (as_rows ? manifold_point_count(island) : 0));
+        system_.rows = arena_.take<Row>(joints * kMaxJointRows + driven_ * kMaxDriveRows +
+                                        (as_rows ? manifold_row_count(island) : 0));
+        system_.terms = arena_.take<WideTerm>(kMaxBodyTerms * std::min(joints, world_.couplings.size()));
+        manifolds_ = arena_.take<ContactManifold*>(as_rows ? 0 : int(island.manifolds.size()));
+        if (arena_.failed()) work_.joints = work_.contacts = {};  // nothing was written there
+        return !arena_.failed();
+    }
 
-    if (!forces_known)
+    void begin_bodies(const Tasks& tasks, StepUndo* undo)
+    {
+        const std::span<Body* const> bodies = work_.island.bodies;
+        const std::size_t first = undo ? undo->first_of(bodies) : 0;
+        const bool forces_known = work_.island.joints.empty();
         for_each_prefetched<kLinesOfBody>(tasks, bodies, [&](std::size_t i, Body& body) {
-            load_body(world, h, solver, body, work.system.bodies[i]);
+            if (undo) undo->save(first + i);
+            body.island_index = int(i);
+            add_gravity(body, world_.gravity);
+            if (forces_known) load_body(world_, h_, form_, body, system_.bodies[i]);
         });
-    for (const RowBlock& block : work.system.blocks)
-        for (int i = block.first; i < block.first + block.count; ++i)
-            work.system.numbers[std::size_t(i)] =
-                ode_baumgarte(work.system.rows[std::size_t(i)], h, info.fps, block.first);
-    for (std::size_t i = 0; driven > 0 && i < work.system.rows.size(); ++i)
-        if (work.system.rows[i].drive) take_drive(work.system.rows[i], h, work.system.numbers[i]);
-    return true;
+    }
+
+    void write_rows(const Tasks& tasks, bool begins)
+    {
+        const Island& island = work_.island;
+        int rows = 0, blocks = 0;
+        const StepInfo info = info_for(world_, h_, form_, island);
+        write_manifolds(work_.contacts, info, system_.joint_contacts);
+        emit_rows(info, work_.joints, begins, work_, rows, blocks);
+        work_.joints = work_.joints.first(std::size_t(blocks));
+        place_manifolds(tasks, island);
+        if (!form_.contact_manifolds) emit_manifolds(info, form_.cones, work_, rows, blocks);
+        for (std::size_t i = 0; i < manifolds_.size(); ++i) manifolds_[i] = island.manifolds[i]->manifold;
+        system_.contact_manifolds = manifolds_;
+        system_.blocks = system_.blocks.first(std::size_t(blocks));
+        system_.rows = system_.rows.first(std::size_t(rows));
+        if (form_.coulomb) mark_coulomb(system_);
+    }
+
+    // Joints have added their own forces.
+    void end_bodies(const Tasks& tasks)
+    {
+        if (work_.island.joints.empty()) return;
+        const std::span<Body* const> bodies = work_.island.bodies;
+        for_each_prefetched<kLinesOfBody>(tasks, bodies, [&](std::size_t i, Body& body) {
+            load_body(world_, h_, form_, body, system_.bodies[i]);
+        });
+    }
+
+    // False: out of memory.
+    bool write_numbers(const Tasks& tasks)
+    {
+        system_.numbers = arena_.take<RowNumbers>(int(system_.rows.size()));
+        if (arena_.failed() || !mark_parts(arena_, work_)) return false;
+        if (form_.has_substeps && !place_wrenches(arena_, work_)) return false;
+        end_bodies(tasks);
+        const Real fps = 1 / h_;
+        for (const RowBlock& block : system_.blocks)
+            for (int i = block.first; i < block.first + block.count; ++i)
+                system_.numbers[std::size_t(i)] =
+                    ode_baumgarte(system_.rows[std::size_t(i)], h_, fps, block.first);
+        for (std::size_t i = 0; driven_ > 0 && i < system_.rows.size(); ++i)
+            if (system_.rows[i].drive) take_drive(system_.rows[i], h_, system_.numbers[i]);
+        return true;
+    }
+
+  private:
+    World& world_;
+    const Real h_;
+    const ProblemForm& form_;
+    Arena& arena_;
+    IslandWork& work_;
+    RowSystem& system_;
+    std::span<ContactManifold*> manifolds_;
+    int driven_ = 0;
+};
+
+}  // namespace
+
+bool assemble(World& world, Real h, const ProblemForm& form, const Tasks& tasks, Arena& arena,
+              IslandWork& work, StepUndo* undo)
+{
+    Assembly assembly(world, h, form, arena, work);
+    if (!assembly.take_memory()) return false;
+    assembly.begin_bodies(tasks, undo);
+    assembly.write_rows(tasks, undo != nullptr);
+    return assembly.write_numbers(tasks);
 }
 
 }  // namespace epode

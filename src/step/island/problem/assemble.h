@@ -8,8 +8,8 @@
 #include "dynamics/island.h"
 #include "rows/row_system.h"
 #include "rows/row_writer.h"
-#include "solve/solver.h"
 #include "step/common/undo.h"
+#include "tasks/tasks.h"
 
 namespace epode {
 
@@ -24,13 +24,24 @@ struct IslandWork {
     RowSystem system;
 };
 
+// What the problem of an island must look like.
+struct ProblemForm {
+    bool joint_manifolds = false;    // contact joints without feedback become manifolds, else rows
+    bool contact_manifolds = false;  // world-managed contacts stay manifolds, else they become rows
+    bool cones = false;              // friction may be bounded by an ellipse
+    bool inertia = false;            // SolverBody::mass and inertia, not only their inverses
+    bool coulomb = false;       // friction is bounded by its present normal impulse (solve/exact/coulomb.h)
+    bool keeps_depth = false;   // islands that settle keep a depth of contacts
+    bool has_substeps = false;  // bodies begin with their present velocities; forces follow in substeps
+};
+
 StepInfo step_info(const World& world, Real h);
 
 // Of work.island: gravity and the joints' own forces enter the bodies' accumulators, rows and numbers are
-// written, and the SolverBodies hold v: the present velocities if the solver makes inner steps, else v* after
+// written, and the SolverBodies hold v: the present velocities if substeps are made, else v* after
 // all forces. `undo` has the bodies before anything of them changes; null: it has. False: out of memory.
-bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Arena& arena, IslandWork& work,
-              StepUndo* undo);
+bool assemble(World& world, Real h, const ProblemForm& form, const Tasks& tasks, Arena& arena,
+              IslandWork& work, StepUndo* undo);
 
 // The terms of a coupling's block at the present poses.
 void place_terms(std::span<const BodyTerm> from, const RowSystem& system, const RowBlock& block);

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "solve/solver.h"
-
 namespace epode {
 namespace {
 
@@ -51,22 +49,23 @@ Real bounded_mean(Real mean, Real force)
 
 }  // namespace
 
-void load_memory(LastingJoint& joint, const RowBlock& block, const RowSystem& system, const Solver& solver,
-                 Real share, int n)
+void load_memory(LastingJoint& joint, const RowBlock& block, const RowSystem& system, Real wanted, Real share,
+                 int substeps)
 {
     if (joint.impulse_rows == 0) joint.mean_rows = 0, joint.mean_time = 0;
     const int same = same_rows(joint.impulse_rows, block, system);
     const Real ratio = step_ratio(joint, system.h);
-    const bool lasts = solver.substeps && !has_soft_row(block, system);
+    const bool lasts = substeps > 0 && !has_soft_row(block, system);
     for (int i = 0; i < same; ++i) {
         const auto row = std::size_t(block.first + i);
         const Real p = ratio * joint.impulse[i];
         if (!lasts || i >= joint.mean_rows || system.rows[row].kind != RowKind::kLock) {
-            system.numbers[row].p = share * solver.warm_share * p;
+            system.numbers[row].p = wanted * share * p;
             continue;
         }
         const Real mean = bounded_mean(system.h * joint.mean[i], p);
-        system.numbers[row].p = share * kKept * (mean + damping(system.rows[row].erp, n) * (p - mean));
+        system.numbers[row].p =
+            wanted * kKept * (mean + damping(system.rows[row].erp, substeps) * (p - mean));
     }
 }
 

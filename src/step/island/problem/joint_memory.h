@@ -32,12 +32,10 @@
 
 namespace epode {
 
-struct Solver;
-
-// Writes what the joint remembers into the numbers of its rows; `share`: what the program wants of it, of the
-// solver's own share. `n`: substeps.
-void load_memory(LastingJoint& joint, const RowBlock& block, const RowSystem& system, const Solver& solver,
-                 Real share, int n);
+// Writes what the joint remembers into the numbers of its rows; `wanted`: the share that the program wants of it; `share`: of
+// that, the stepper's own; `substeps`: in which the rows find it, 0: none.
+void load_memory(LastingJoint& joint, const RowBlock& block, const RowSystem& system, Real wanted, Real share,
+                 int substeps);
 
 // Notes the forces of a step whose impulses have been written back.
 void note_mean_force(LastingJoint& joint, const RowBlock& block, const RowSystem& system, Real h);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// How islands are solved in a hybrid step. A requested stepper comes first: the most exact one that the bodies
+// How islands are stepped in a hybrid step. A requested stepper comes first: the most exact one that the bodies
 // of an island request, else the world's. Otherwise a model of cost decides from the island's structure and
 // from what its bodies remember of their last steps, never from a clock, so that the same calls give the same
 // bits everywhere. Times are in microseconds of one core, fitted to the figures in docs/solvers.md:
@@ -11,7 +11,7 @@
 //   substeps                                n/4 (0.3 N + 0.3 points of contact + 0.9 joints), without collision
 //
 // with N bodies that can move, R rows, and L loops of the graph of bodies, which cause fill-in. What is wanted
-// here must fit the budget of the step, too (step/hybrid_budget.h).
+// here must fit the budget of the step, too (hybrid_budget.h).
 //
 // Exact is wrong for a load that hangs on joints if the step is too long: where a body of mass m and radius
 // of gyration r carries the whole load M g, and M g h^2 > m r, the directions of the forces change within the
@@ -23,23 +23,12 @@
 // ringing, with up to twice what the joints will carry; so an island begins with an exact step if it can.
 #pragma once
 
-#include "dynamics/island.h"
-#include "ode/steppers.h"
-#include "solve/solver.h"
-#include "step/common/island_method.h"
+#include "step/steppers/stepper.h"
 
 namespace epode {
 
-inline bool is_stepper(int number) { return number >= dStepperHybrid && number <= dStepperQuick; }
-
-// The solver of a value of dStepper; null: hybrid.
-const Solver* solver_named(int stepper);
-
-// The number of iterations, or of substeps, of an island with this solver in a hybrid step of the world.
-int hybrid_iterations(const World& world, const Solver& solver);
-
 struct HybridChoice {
-    const Solver* solver = nullptr;  // if it is not solved exactly
+    const Stepper* stepper = nullptr;  // if it is not stepped exactly
     bool wants_exact = false;
     bool was_exact = false, begins = false;
     double max_work = 0;       // microseconds that an exact solution may take
@@ -48,11 +37,11 @@ struct HybridChoice {
 };
 HybridChoice choose(const World& world, const Island& island, Real h);
 
-// The solver, but exact joints in place of the sweeps of substeps that a step of the last kStrainedSteps has
-// strained (step/island/strain.h), and in islands that settle (dynamics/sleep/settle.h).
-const Solver& relieved(const Solver& solver, const Island& island);
+// The stepper, but what it has for strained islands if a step of the last kStrainedSteps has strained this one, or it
+// settles (dynamics/sleep/settle.h).
+const Stepper& relieved(const Stepper& stepper, const Island& island);
 
-// After a step: stores what came of the method in the island's bodies and joints.
-void remember_choice(const Island& island, const IslandMethod& method, bool hybrid);
+// Whether the step has strained the island, for relieved().
+void remember_strain(const Island& island, const IslandMethod& method);
 
 }  // namespace epode

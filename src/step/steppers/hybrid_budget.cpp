@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
-#include "step/hybrid_budget.h"
+#include "step/steppers/hybrid_budget.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "step/steppers/hybrid.h"
 
 namespace epode {
 namespace {
@@ -52,17 +54,19 @@ class Budget {
 
 }  // namespace
 
-bool choose_hybrid_methods(const World& world, std::span<const Island> islands, Real h, Arena& arena,
+bool choose_hybrid_methods(const StepContext& context, std::span<const Island> islands, Arena& arena,
                            std::span<IslandMethod> methods)
 {
+    const World& world = context.world;
     Arena::Scope scope(arena);
     const auto candidates = arena.take<Candidate>(int(islands.size()));
     if (arena.failed()) return false;
     std::size_t count = 0;
     double substeps = 0, network = 0;
     for (std::size_t i = 0; i < islands.size(); ++i) {
-        const HybridChoice choice = choose(world, islands[i], h);
-        methods[i] = {&relieved(*choice.solver, islands[i])};
+        const HybridChoice choice = choose(world, islands[i], context.h);
+        const Stepper& stepper = relieved(*choice.stepper, islands[i]);
+        methods[i] = {&stepper, hybrid_iterations(world, stepper)};
         substeps += choice.substeps_work, network += choice.network_work;
         if (choice.wants_exact)
             candidates[count++] = {int(i), choice.begins, choice.was_exact,
@@ -81,7 +85,7 @@ bool choose_hybrid_methods(const World& world, std::span<const Island> islands, 
     for (const Candidate& candidate : list.first(taken)) {
         const double part = candidate.work + (candidate.begins ? for_beginners : budget).spare();
         IslandMethod& method = methods[std::size_t(candidate.island)];
-        method = {&kDirect, method.solver, hybrid_iterations(world, *method.solver), part};
+        method = {&kExact, hybrid_iterations(world, kExact), method.stepper, method.iterations, part};
     }
     return true;
 }

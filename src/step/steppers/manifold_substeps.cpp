@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
-#include "solve/substeps/manifold_steps.h"
-
-#include <algorithm>
+#include "step/steppers/manifold_substeps.h"
 
 #include "solve/substeps/impacts/restitution.h"
 #include "solve/substeps/manifold_set.h"
@@ -10,14 +8,11 @@
 namespace epode {
 namespace {
 
-class ManifoldSteps {
+class ManifoldSubsteps {
   public:
-    ManifoldSteps(RowSystem& system, const SolverSettings& settings, int n)
-        : system_(system),
-          model_(*settings.substeps),
-          step_{system.h / Real(n), n},
-          tasks_(settings.tasks),
-          ends_(settings.substep_ends)
+    ManifoldSubsteps(RowSystem& system, SubstepModel& model, int n, const Tasks& tasks,
+                     std::span<Velocity> ends)
+        : system_(system), model_(model), step_{system.h / Real(n), n}, tasks_(tasks), ends_(ends)
     {}
 
     bool prepare(Arena& arena)
@@ -33,7 +28,7 @@ class ManifoldSteps {
             velocities_[i] = {body.v, 0, body.w, 0};
             force_velocity_[i] = {body.v, 0, body.w, 0};
         });
-        model_.apply_forces(model_.model, force_velocity_.data(), system_.h);
+        model_.apply_forces(force_velocity_, system_.h);
         const Real share = 1 / Real(step_.n);
         each_body([&](std::size_t i) {
             const Velocity &now = velocities_[i], then = force_velocity_[i];
@@ -62,8 +57,8 @@ class ManifoldSteps {
     {
         const Real share = 1 / Real(step_.n);
         each_body([&](std::size_t i) { mean_[i] = {share * mean_[i].v, 0, share * mean_[i].w, 0}; });
-        model_.advance(model_.model, system_, mean_.data(), system_.h);
-        model_.settle(model_.model, system_);
+        model_.advance(mean_, system_.h);
+        model_.settle();
     }
 
     template <typename F>
@@ -74,7 +69,7 @@ class ManifoldSteps {
 
     static constexpr int kRange = 512;  // bodies that one worker does
     RowSystem& system_;
-    const Substeps& model_;
+    SubstepModel& model_;
     const Substep step_;
     const Tasks& tasks_;
     ManifoldSet manifolds_;
@@ -86,11 +81,12 @@ class ManifoldSteps {
 
 }  // namespace
 
-bool solve_manifolds(RowSystem& system, const SolverSettings& settings, Arena& arena)
+bool make_manifold_substeps(RowSystem& system, SubstepModel& model, int n, const Tasks& tasks,
+                            std::span<Velocity> ends, Arena& arena)
 {
     Arena::Scope scope(arena);
-    ManifoldSteps steps(system, settings, std::max(1, settings.iterations));
-    return steps.prepare(arena) && steps.run(arena);
+    ManifoldSubsteps substeps(system, model, n, tasks, ends);
+    return substeps.prepare(arena) && substeps.run(arena);
 }
 
 }  // namespace epode

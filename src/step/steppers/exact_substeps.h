@@ -4,19 +4,24 @@
 // A step of h as n exact steps of h/n with the contacts of its beginning (dWorldSetExactSubsteps).
 #pragma once
 
-#include "solve/solver.h"
-#include "step/common/undo.h"
-#include "step/island/energy_ledger.h"
+#include "step/island/island_run.h"
 #include "step/island/positions/projection.h"
-#include "step/island/problem/assemble.h"
 
 namespace epode {
 
 class ExactSubsteps {
   public:
-    ExactSubsteps(World& world, const Island& island, const StepUndo& undo, Real h, int n,
-                  EnergyLedger& ledger, Arena& arena)
-        : world_(world), island_(island), undo_(undo), hs_(h / Real(n)), n_(n), ledger_(ledger), arena_(arena)
+    // `form`: of the problem of each.
+    ExactSubsteps(IslandRun& run, const ProblemForm& form, int n)
+        : run_(run),
+          world_(run.world),
+          island_(run.work.island),
+          first_(run.work),
+          form_(form),
+          hs_(run.context.h / Real(n)),
+          n_(n),
+          ledger_(run.ledger),
+          arena_(run.arena)
     {}
 
     Real substep() const { return hs_; }
@@ -25,13 +30,12 @@ class ExactSubsteps {
     bool begin();
     // Converts the numbers of an island that has been assembled with substep() to those of a substep.
     void map(RowSystem& system) const;
-    // Before `first` is solved: the program's forces move what they can at once (step/island/prompt_forces.h).
-    void kick(IslandWork& first, Real warm_share);
-    // `first` has been solved, with raised inertias or not (step/island/positions/tension.h): moves the bodies by it, then makes the other n - 1 substeps. Its contacts get
+    // Before the first is solved: the program's forces move what they can at once (step/island/prompt_forces.h).
+    void kick(Real warm_share);
+    // The run has been solved, with raised inertias or not (step/island/positions/tension.h): moves the bodies by it, then makes the other n - 1 substeps. Its contacts get
     // the impulses of the last substep. False: a solution that is not finite, or out of memory; undo() must
     // follow.
-    bool run(IslandWork& first, bool raised, const SolverSettings& settings, SolveReport& report,
-             ProjectionReport& projected);
+    bool run(const ExactSettings& settings, ProjectionReport& projected);
     void undo();
 
   private:
@@ -46,18 +50,19 @@ class ExactSubsteps {
         Real coupling;
     };
 
-    bool next(IslandWork& first, const SolverSettings& settings, SolveReport& report, IslandWork& work,
-              bool& raised);
+    bool next(const ExactSettings& settings, IslandWork& work, bool& raised);
     void load_forces();
     void restore_forces() const;
     void add_to_ledger(const IslandWork& work);  // before contacts follow the motion and change
-    void carry_out(IslandWork& work, bool raised, const SolverSettings& settings);
+    void carry_out(IslandWork& work, bool raised, const ExactSettings& settings);
     void add_feedback(const IslandWork& work);
     void store_feedback() const;
 
+    IslandRun& run_;
     World& world_;
     const Island& island_;
-    const StepUndo& undo_;
+    IslandWork& first_;  // the run's
+    const ProblemForm form_;
     const Real hs_;
     const int n_;
     EnergyLedger& ledger_;

@@ -14,15 +14,15 @@
 // solved in substeps in the same step: the sum holds whatever the guesses are worth. Everything is counted work
 // (solve/common/work_meter.h), hence the same on any machine and any number of threads.
 //
-// Islands whose joints begin (step/hybrid.h) have a budget of their own, eight times as large, for one step.
+// Islands whose joints begin (hybrid.h) have a budget of their own, eight times as large, for one step.
 #pragma once
 
-#include "step/hybrid.h"
+#include "step/steppers/stepper.h"
 
 namespace epode {
 
 // One method for each island. False: out of memory.
-[[nodiscard]] bool choose_hybrid_methods(const World& world, std::span<const Island> islands, Real h,
+[[nodiscard]] bool choose_hybrid_methods(const StepContext& context, std::span<const Island> islands,
                                          Arena& arena, std::span<IslandMethod> methods);
 
 }  // namespace epode

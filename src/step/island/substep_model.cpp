@@ -5,7 +5,7 @@
 // until the step ends. Joints that have to be asked for their rows read the bodies themselves, which are then
 // moved too; after the last inner step they are in any case, and nothing is left to integrate. Velocities in
 // them stay those of the beginning until the step is accepted.
-#include "step/island/substeps.h"
+#include "step/island/substep_model.h"
 
 #include "dynamics/integrate.h"
 #include "joints/drive_rows.h"
@@ -58,16 +58,16 @@ void load_pose(const Body& body, const SolverBody& solver, SolverPose& pose)
     pose.unused1 = pose.unused2 = 0;
 }
 
-void find_motion(const RowSystem& system, const RowBlock& block, const Velocity* bodies, BodyMotion* out)
+void find_motion(const RowSystem& system, const RowBlock& block, std::span<const Velocity> bodies,
+                 BodyMotion* out)
 {
     const auto at = [&](int body) {
-        return body < 0 ? BodyMotion{} : BodyMotion{bodies[body].v, bodies[body].w};
+        if (body < 0) return BodyMotion{};
+        return BodyMotion{bodies[std::size_t(body)].v, bodies[std::size_t(body)].w};
     };
     out[0] = at(block.body1), out[1] = at(block.body2);
     for (const WideTerm& term : terms_of(system, block)) *out++ = at(term.body);
 }
-
-SubstepModel& model_of(void* p) { return *static_cast<SubstepModel*>(p); }
 
 }  // namespace
 
@@ -126,22 +126,21 @@ void SubstepModel::load_body(std::size_t i, const Body& body, const SolverBody& 
     set(to.inv_in_world, lane, solver.inv_inertia);
 }
 
-void SubstepModel::apply_forces(void* p, Velocity* bodies, Real h)
+void SubstepModel::apply_forces(std::span<Velocity> bodies, Real h) const
 {
-    const SubstepModel& model = model_of(p);
-    model.in_groups([&](BodyLanes* groups, int first, int count) {
-        model.kernels_.accelerate(groups, count, bodies + first, h);
+    in_groups([&](BodyLanes* groups, int first, int count) {
+        kernels_.accelerate(groups, count, bodies.data() + first, h);
     });
 }
 
-void SubstepModel::advance(void* p, RowSystem& system, Velocity* bodies, Real h)
+void SubstepModel::advance(std::span<Velocity> bodies, Real h)
 {
-    SubstepModel& model = model_of(p);
-    model.in_groups([&](BodyLanes* groups, int first, int count) {
-        model.kernels_.turn(groups, count, bodies + first, h);
+    const std::span<SolverPose> poses = work_.system.poses;
+    in_groups([&](BodyLanes* groups, int first, int count) {
+        kernels_.turn(groups, count, bodies.data() + first, h);
         for (int i = 0; i < count; i += kLanes)
-            if (groups[i / kLanes].finite) model.turn_finitely(std::size_t((first + i) / kLanes), bodies, h);
-        model.kernels_.place(groups, count, system.poses.empty() ? nullptr : system.poses.data() + first);
+            if (groups[i / kLanes].finite) turn_finitely(std::size_t((first + i) / kLanes), bodies.data(), h);
+        kernels_.place(groups, count, poses.empty() ? nullptr : poses.data() + first);
     });
 }
 
@@ -156,59 +155,64 @@ void SubstepModel::turn_finitely(std::size_t group, const Velocity* bodies, Real
     }
 }
 
-void SubstepModel::settle(void* p, RowSystem& system)
+void SubstepModel::settle()
 {
-    SubstepModel& model = model_of(p);
-    for_each_prefetched<kLinesOfBody>(model.tasks_, model.island_bodies(), [&](std::size_t i, Body& body) {
-        const BodyLanes& from = model.lanes_[i / kLanes];
+    for_each_prefetched<kLinesOfBody>(tasks_, island_bodies(), [&](std::size_t i, Body& body) {
+        const BodyLanes& from = lanes_[i / kLanes];
         const std::size_t lane = i % kLanes;
         store(body.pos, vec_in(from.x, lane));
         store_quat(body.q, quat_in(from.q, lane));
         store_mat(body.R, {vec_in(from.R, lane), vec_in(from.R + 3, lane), vec_in(from.R + 6, lane)});
         const Lanes* s = from.inv_in_world;
-        system.bodies[i].inv_inertia = {s[0].at[lane], s[1].at[lane], s[2].at[lane],
-                                        s[3].at[lane], s[4].at[lane], s[5].at[lane]};
+        work_.system.bodies[i].inv_inertia = {s[0].at[lane], s[1].at[lane], s[2].at[lane],
+                                              s[3].at[lane], s[4].at[lane], s[5].at[lane]};
     });
 }
 
-void SubstepModel::refresh(void* p, RowSystem& system, const Velocity* bodies)
+void SubstepModel::refresh(std::span<const Velocity> bodies)
 {
-    SubstepModel& model = model_of(p);
-    Row rows[kMaxBlockRows];
+    const auto& blocks = work_.system.blocks;
     bool settled = false;
-    for (std::size_t k = 0; k < system.blocks.size(); ++k) {
-        RowBlock& block = system.blocks[k];
-        if (block.contact || block.followed) continue;  // the solver follows these itself
-        if (!settled) settle(p, system);
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
+        if (blocks[k].contact || blocks[k].followed) continue;  // the solver follows these itself
+        if (!settled) settle();
         settled = true;
-        RowWriter out(rows, model.info_);
-        Joint& joint = *model.work_.joints[k];
-        BodyMotion motion[kMaxBodyTerms];
-        if (joint.driven) find_motion(system, block, bodies, motion), out.set_motion(motion);
-        emit_joint(joint, out);
-        if (block.term_count > 0) place_terms(out.terms(), system, block);
-        EPODE_ASSERT(out.count() == block.count);  // of every joint type: see StepInfo::inner
-        block.arms = out.arms();
-        for (int i = 0; i < block.count && i < out.count(); ++i) {
-            Row& row = system.rows[std::size_t(block.first + i)];
-            // Decided at the beginning of the step, by the velocities of then.
-            const bool has_restitution = row.has_restitution;
-            const Real restitution_velocity = row.restitution_velocity;
-            const Real cfm = has_default_softness(rows[i]) ? row.cfm : rows[i].cfm;
-            row = rows[i];
-            row.cfm = cfm;
-            row.has_restitution = has_restitution;
-            row.restitution_velocity = restitution_velocity;
-        }
+        refresh_block(k, bodies);
     }
 }
 
-void SubstepModel::gather_contacts(void* p, RowSystem& system)
+void SubstepModel::refresh_block(std::size_t k, std::span<const Velocity> bodies)
 {
-    for (RowBlock& block : system.blocks)
+    RowSystem& system = work_.system;
+    RowBlock& block = system.blocks[k];
+    Row rows[kMaxBlockRows];
+    RowWriter out(rows, info_);
+    Joint& joint = *work_.joints[k];
+    BodyMotion motion[kMaxBodyTerms];
+    if (joint.driven) find_motion(system, block, bodies, motion), out.set_motion(motion);
+    emit_joint(joint, out);
+    if (block.term_count > 0) place_terms(out.terms(), system, block);
+    EPODE_ASSERT(out.count() == block.count);  // of every joint type: see StepInfo::inner
+    block.arms = out.arms();
+    for (int i = 0; i < block.count && i < out.count(); ++i) {
+        Row& row = system.rows[std::size_t(block.first + i)];
+        // Decided at the beginning of the step, by the velocities of then.
+        const bool has_restitution = row.has_restitution;
+        const Real restitution_velocity = row.restitution_velocity;
+        const Real cfm = has_default_softness(rows[i]) ? row.cfm : rows[i].cfm;
+        row = rows[i];
+        row.cfm = cfm;
+        row.has_restitution = has_restitution;
+        row.restitution_velocity = restitution_velocity;
+    }
+}
+
+void SubstepModel::gather_contacts()
+{
+    for (RowBlock& block : work_.system.blocks)
         if (block.contact)
-            gather_contact(model_of(p).work_.island, block,
-                           system.rows.subspan(std::size_t(block.first), std::size_t(block.count)));
+            gather_contact(work_.island, block,
+                           work_.system.rows.subspan(std::size_t(block.first), std::size_t(block.count)));
 }
 
 void gather_contact(const Island& island, RowBlock& block, std::span<Row> rows)
@@ -225,7 +229,5 @@ void gather_contact(const Island& island, RowBlock& block, std::span<Row> rows)
         row.ang2 = cross(block.arms.r2, row.lin2);
     }
 }
-
-Substeps SubstepModel::callbacks() { return {this, apply_forces, advance, settle, refresh, gather_contacts}; }
 
 }  // namespace epode

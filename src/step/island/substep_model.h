@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The model that a solver with inner steps drives: the bodies and joints of one island.
+// What substeps move: the bodies and joints of one island.
 #pragma once
 
 #include "base/arena.h"
@@ -26,7 +26,20 @@ class SubstepModel {
 
     // Before the first call: bodies into lanes, and the system's poses. False: out of memory.
     bool prepare(Arena& arena);
-    Substeps callbacks();
+
+    // v += h M^-1 f with gravity and gyroscopic torque.
+    void apply_forces(std::span<Velocity> bodies, Real h) const;
+    // x += h v, and bodies rotate; angular velocities above a body's limit are cut. Updates the system's poses
+    // and nothing else.
+    void advance(std::span<Velocity> bodies, Real h);
+    // Updates the bodies themselves and the inertia in the SolverBodies to the poses.
+    void settle();
+    // Settles everything and rewrites Jacobians and errors of the rows at the present pose and velocities,
+    // except those that are followed and those of contacts. Numbers of rows, kinds and bounds do not change.
+    void refresh(std::span<const Velocity> bodies);
+    // After everything has settled: contact rows act at one point of the present pose again, so that impulses
+    // conserve angular momentum.
+    void gather_contacts();
 
   private:
     std::span<Body* const> island_bodies() const { return work_.island.bodies; }
@@ -34,12 +47,7 @@ class SubstepModel {
     void in_groups(F&& f) const;
     void load_body(std::size_t i, const Body& body, const SolverBody& solver);
     void turn_finitely(std::size_t group, const Velocity* bodies, Real h);
-
-    static void apply_forces(void* model, Velocity* bodies, Real h);
-    static void advance(void* model, RowSystem& system, Velocity* bodies, Real h);
-    static void settle(void* model, RowSystem& system);
-    static void refresh(void* model, RowSystem& system, const Velocity* bodies);
-    static void gather_contacts(void* model, RowSystem& system);
+    void refresh_block(std::size_t k, std::span<const Velocity> bodies);
 
     IslandWork& work_;
     const World& world_;

@@ -9,13 +9,14 @@
 //   joints only                   exact: one linear system, no iteration
 //   joints and contacts           exact if cheap, else substeps with exact joints
 // Quick is used on request only: substeps of equal cost are more accurate.
-#include "step/hybrid.h"
+#include "step/steppers/hybrid.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "dynamics/coupling.h"
 #include "step/island/strain.h"
+#include "step/steppers/hybrid_budget.h"
 
 namespace epode {
 namespace {
@@ -154,9 +155,6 @@ bool iterates_well(const Structure& s, const World& world, Real h)
     return s.contacts == 0 || (s.ratio() < kUnequal && !topples(s, world, h));
 }
 
-// How it is solved if not exactly.
-const Solver& in_substeps(const Structure& s) { return s.joints > 0 ? kNetwork : kTgs; }
-
 bool wants_exact(const Structure& s, const History& history, const World& world, Real h)
 {
     if (history.refused || (s.joints == 0 && iterates_well(s, world, h))) return false;
@@ -171,63 +169,78 @@ bool has_new_joints(const Island& island)
                        [](const Joint* joint) { return !is_contact(*joint) && !joint->begun; });
 }
 
-}  // namespace
-
-const Solver* solver_named(int stepper)
+// Null: the number leaves the choice to the island.
+const Stepper* chosen(int number)
 {
-    switch (stepper) {
-        case dStepperExact:
-            return &kDirect;
-        case dStepperSubstepsExactJoints:
-            return &kNetwork;
-        case dStepperSubsteps:
-            return &kTgs;
-        case dStepperQuick:
-            return &kQuick;
-        default:
-            return nullptr;
+    const Stepper* const stepper = stepper_numbered(number);
+    return stepper && stepper->step ? stepper : nullptr;
+}
+
+// Of an exact solution: its own of the last step, or what the structure suggests.
+double largest_work(const Structure& s, const History& history, bool begins)
+{
+    if (begins) return kBeginning * once(s);
+    return history.work > 0 ? kMargin * history.work : exact_work(s, history);
+}
+
+void remember_work(HybridState& state, const IslandMethod& method)
+{
+    const bool direct = !method.stepper->iterates;
+    state.was_exact = direct && !method.gave_up;
+    if (direct)
+        state.work = std::uint16_t(std::clamp(method.work + 1, 1.0, 65535.0));
+    else if (state.refused == 0)
+        state.work = std::uint16_t(state.work - (state.work + kForgetting - 1) / kForgetting);
+    if (method.gave_up)
+        state.refused = kRefusedSteps;
+    else if (state.refused > 0)
+        --state.refused;
+}
+
+// After a step: stores what came of the method in the island's bodies and joints.
+void remember_choice(const Island& island, const IslandMethod& method)
+{
+    remember_strain(island, method);
+    const Stepper& stepper = method.gave_up ? *method.fallback : *method.stepper;
+    for (Body* body : island.bodies) {
+        remember_work(body->hybrid, method);
+        if (stepper.has_substeps) body->spin_excess = {};  // substeps integrate the rotation without it
     }
+    for (Joint* joint : island.joints) joint->begun = true;
 }
 
-int hybrid_iterations(const World& world, const Solver& solver)
-{
-    return solver.substeps ? world.hybrid_substeps : world.quick_iterations;
-}
+}  // namespace
 
 HybridChoice choose(const World& world, const Island& island, Real h)
 {
     HybridChoice choice;
     const History history = history_of(island);
-    if (const Solver* requested = solver_named(history.requested)) return {requested};
-    if (const Solver* wanted = solver_named(world.hybrid_stepper)) return {wanted};
+    if (const Stepper* requested = chosen(history.requested)) return {requested};
+    if (const Stepper* wanted = chosen(world.hybrid_stepper)) return {wanted};
     const Structure structure = structure_of(world, island);
     choice.substeps_work = substeps_work(structure, world.hybrid_substeps);
-    if (structure.coupled) return choice.solver = &kDirect, choice;
-    const bool swings = swings_too_fast(structure, world, h);
-    choice.solver = swings ? &kNetwork : &in_substeps(structure);
-    if (choice.solver == &kNetwork)
-        choice.network_work = 0.25 * world.hybrid_substeps * kJointWork * structure.joints;
+    if (structure.coupled) return choice.stepper = &kExact, choice;
+    const bool swings = swings_too_fast(structure, world, h), exact_joints = swings || structure.joints > 0;
+    choice.stepper = exact_joints ? &kSubstepsExactJoints : &kSubsteps;
+    if (exact_joints) choice.network_work = 0.25 * world.hybrid_substeps * kJointWork * structure.joints;
     choice.begins = structure.joints > 0 && has_new_joints(island);
     if (!choice.begins && (swings || !wants_exact(structure, history, world, h))) return choice;
     choice.wants_exact = true, choice.was_exact = history.exact && !choice.begins;
-    choice.max_work = choice.begins      ? kBeginning * once(structure)
-                      : history.work > 0 ? kMargin * history.work
-                                         : exact_work(structure, history);
+    choice.max_work = largest_work(structure, history, choice.begins);
     return choice;
 }
 
-const Solver& relieved(const Solver& solver, const Island& island)
+const Stepper& relieved(const Stepper& stepper, const Island& island)
 {
-    if (&solver != &kTgs || !has_lasting_joints(island)) return solver;
-    if (island.settles()) return kNetwork;
+    if (!stepper.for_strained || !has_lasting_joints(island)) return stepper;
+    if (island.settles()) return *stepper.for_strained;
     const auto strained = [](const Body* body) { return body->hybrid.strained > 0; };
-    return std::any_of(island.bodies.begin(), island.bodies.end(), strained) ? kNetwork : solver;
+    return std::any_of(island.bodies.begin(), island.bodies.end(), strained) ? *stepper.for_strained
+                                                                             : stepper;
 }
 
-void remember_choice(const Island& island, const IslandMethod& method, bool hybrid)
+void remember_strain(const Island& island, const IslandMethod& method)
 {
-    const bool direct = method.solver == &kDirect, exact = direct && !method.gave_up;
-    const Solver& solver = method.gave_up ? *method.fallback : *method.solver;
     for (Body* body : island.bodies) {
         HybridState& state = body->hybrid;
         if (method.strained)
@@ -235,20 +248,9 @@ void remember_choice(const Island& island, const IslandMethod& method, bool hybr
         else if (state.strained > 0)
             --state.strained;
         note_gap(state, method.gap);
-        if (!hybrid) continue;
-        state.was_exact = exact;
-        if (direct)
-            state.work = std::uint16_t(std::clamp(method.work + 1, 1.0, 65535.0));
-        else if (state.refused == 0)
-            state.work = std::uint16_t(state.work - (state.work + kForgetting - 1) / kForgetting);
-        if (method.gave_up)
-            state.refused = kRefusedSteps;
-        else if (state.refused > 0)
-            --state.refused;
-        if (solver.substeps) body->spin_excess = {};  // substeps integrate the rotation without it
     }
-    if (hybrid)
-        for (Joint* joint : island.joints) joint->begun = true;
 }
+
+const Stepper kHybrid{.name = "hybrid", .choose = choose_hybrid_methods, .remember = remember_choice};
 
 }  // namespace epode

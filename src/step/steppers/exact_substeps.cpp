@@ -9,7 +9,7 @@
 // substep by its velocities. They act at one point of both bodies, half way between where the two have carried it, so that angular momentum
 // is conserved. A joint's feedback is the mean of its forces over the substeps, which is the impulse of the
 // step over h; so is what its drives report.
-#include "step/island/exact_substeps.h"
+#include "step/steppers/exact_substeps.h"
 
 #include <algorithm>
 
@@ -22,7 +22,7 @@
 #include "step/island/positions/tension.h"
 #include "step/island/problem/default_softness.h"
 #include "step/island/prompt_forces.h"
-#include "step/island/substeps.h"
+#include "step/island/substep_model.h"
 #include "step/island/write_back.h"
 
 namespace epode {
@@ -137,7 +137,7 @@ bool ExactSubsteps::begin()
 
 void ExactSubsteps::undo()
 {
-    undo_.restore_poses(island_.bodies);
+    run_.context.undo.restore_poses(island_.bodies);
     for (std::size_t i = 0; i < before_.size(); ++i) {
         Body& b = *island_.bodies[i];
         store(b.lvel, before_[i].v);
@@ -158,16 +158,16 @@ void ExactSubsteps::map(RowSystem& system) const
     }
 }
 
-void ExactSubsteps::kick(IslandWork& first, Real warm_share)
+void ExactSubsteps::kick(Real warm_share)
 {
     const std::span<const BorneForce> borne =
-        kick_by_prompt_forces(world_, first, hs_ * Real(n_), warm_share, arena_);
+        kick_by_prompt_forces(world_, first_, hs_ * Real(n_), warm_share, arena_);
     for (std::size_t i = 0; i < borne.size(); ++i) {
         const Body& body = *island_.bodies[i];
         if (body.kinematic()) continue;
         const Vec3 force = force_on(world_, body) - borne[i].force,
                    torque = load(body.tacc) - borne[i].torque;
-        SolverBody& to = first.system.bodies[i];
+        SolverBody& to = first_.system.bodies[i];
         to.v -= (hs_ * to.inv_mass) * force, to.w -= hs_ * (to.inv_inertia * torque);
         Before& before = before_[i];
         before.force -= force, before.torque -= torque;
@@ -175,46 +175,45 @@ void ExactSubsteps::kick(IslandWork& first, Real warm_share)
     }
 }
 
-bool ExactSubsteps::run(IslandWork& first, bool raised, const SolverSettings& settings, SolveReport& report,
-                        ProjectionReport& projected)
+bool ExactSubsteps::run(const ExactSettings& settings, ProjectionReport& projected)
 {
-    add_to_ledger(first);
-    follow_contacts(first, first);
-    carry_out(first, raised, settings);
+    bool raised = run_.raised > 0;
+    add_to_ledger(first_);
+    follow_contacts(first_, first_);
+    carry_out(first_, raised, settings);
     for (int i = 1; i < n_; ++i) {
         Arena::Scope scope(arena_);
         IslandWork work;
-        if (!next(first, settings, report, work, raised)) return false;
+        if (!next(settings, work, raised)) return false;
         add_to_ledger(work);
-        follow_contacts(first, work);
+        follow_contacts(first_, work);
         carry_out(work, raised, settings);
         if (i < n_ - 1 || world_.projection_iterations <= 0) continue;
-        if (ledger_.wanted()) ledger_.begin_correction();
-        projected = project_poses(world_, work, settings.tasks, *settings.symbolic_cache, arena_);
-        if (ledger_.wanted()) ledger_.end_correction();
+        run_.correct_poses([&] {
+            projected = project_poses(world_, work, settings.tasks, *settings.symbolic_cache, arena_);
+        });
     }
     store_feedback();
     restore_forces();
     return true;
 }
 
-bool ExactSubsteps::next(IslandWork& first, const SolverSettings& settings, SolveReport& report,
-                         IslandWork& work, bool& raised)
+bool ExactSubsteps::next(const ExactSettings& settings, IslandWork& work, bool& raised)
 {
     load_forces();
     work.island = island_;
-    if (!assemble(world_, hs_, kDirect, Tasks(1), arena_, work, nullptr)) return false;
+    if (!assemble(world_, hs_, form_, Tasks(1), arena_, work, nullptr)) return false;
     limit_default_softness(world_, hs_, work.system);
-    carry_contacts(first, work);
+    carry_contacts(first_, work);
     map(work.system);
     raised =
         !world_.acts_as_ode() && add_tension(work, work.system.bodies, hs_, kResolvedExactly, arena_) > 0;
     if (world_.projection_iterations > 0) leave_depth_to_projection(world_, work);
-    load_warm_start(first, work);
+    load_warm_start(first_, work);
     SolveReport one;
-    if (!kDirect.solve(work.system, settings, arena_, one) || !sound(work.system, 0)) return false;
-    one.unsolved_joint = block_in(first, work, one.unsolved_joint);
-    add(report, one);
+    if (!solve_exactly(work.system, settings, arena_, one) || !sound(work.system, 0)) return false;
+    one.unsolved_joint = block_in(first_, work, one.unsolved_joint);
+    add(run_.solved, one);
     return true;
 }
 
@@ -243,7 +242,7 @@ void ExactSubsteps::add_to_ledger(const IslandWork& work)
     ledger_.add_solution(work, 0, false);
 }
 
-void ExactSubsteps::carry_out(IslandWork& work, bool raised, const SolverSettings& settings)
+void ExactSubsteps::carry_out(IslandWork& work, bool raised, const ExactSettings& settings)
 {
     write_back(work, Tasks(1));
     if (world_.projection_iterations <= 0 || raised)

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// dWorldStep: forces, one problem of the whole step that is solved exactly (solve/exact), poses. Where projection is asked for, joints
+// are closed by the impulses of the step and errors of position that are left removed after it (island/positions); else poses
+// close stops that would throw a joint. Where substeps are asked for, the same n times (exact_substeps.h).
+#include "solve/common/work_meter.h"
+#include "step/island/containment.h"
+#include "step/island/positions/shake.h"
+#include "step/island/positions/stops.h"
+#include "step/island/positions/tension.h"
+#include "step/island/report.h"
+#include "step/island/warm_start.h"
+#include "step/island/write_back.h"
+#include "step/steppers/exact_substeps.h"
+#include "step/steppers/stepper.h"
+
+namespace epode {
+namespace {
+
+constexpr int kLarge = 256;                 // joints of an island that all workers solve together
+constexpr double kLeftToProjection = 1e-9;  // residual; the projection corrects smaller errors of position
+
+bool solve_stops(RowSystem& system, const World&, const Tasks& tasks, Arena& arena)
+{
+    SolveReport report;
+    return solve_exactly(system, {.tasks = tasks}, arena, report);
+}
+
+ProblemForm form_in(const World& world) { return {.inertia = true, .coulomb = world.friction_cone}; }
+
+ExactSettings settings_for(const IslandRun& run)
+{
+    ExactSettings settings{.want_residual = !run.reports.empty(), .tasks = run.tasks};
+    if (run.world.projection_iterations > 0) settings.refine_above = kLeftToProjection;
+    settings.symbolic_cache = &run.context.symbolic_cache;
+    return settings;
+}
+
+// Solves it with no more work than its method may take, and notes what it took.
+bool solve_in_budget(IslandRun& run)
+{
+    ExactSettings settings = settings_for(run);
+    if (run.methods().empty()) return solve_exactly(run.work.system, settings, run.arena, run.solved);
+    IslandMethod& method = run.methods().front();
+    WorkMeter meter{.limit = method.max_work};
+    settings.work = &meter;
+    const bool solved = solve_exactly(run.work.system, settings, run.arena, run.solved);
+    method.work = meter.spent, method.gave_up = run.solved.gave_up;
+    return solved;
+}
+
+ProjectionReport advance_and_project(IslandRun& run)
+{
+    SymbolicCache& cache = run.context.symbolic_cache;
+    if (run.raised > 0)
+        advance_poses(run.world, run.work, run.context.h);
+    else if (advance_closing(run.world, run.work, run.tasks, cache, run.arena))
+        write_joints_again(run.work);
+    ProjectionReport projected;
+    run.correct_poses([&] { projected = project_poses(run.world, run.work, run.tasks, cache, run.arena); });
+    return projected;
+}
+
+void report_projected(IslandRun& run, const ProjectionReport& projected)
+{
+    for (dIslandStepReport& report : run.reports) report_projection(projected, report);
+}
+
+void advance_and_close_stops(IslandRun& run, bool closes_stops)
+{
+    advance_poses(run.world, run.work, run.context.h);
+    if (closes_stops)
+        run.correct_poses([&] { close_stops(run.world, run.work, solve_stops, run.tasks, run.arena); });
+}
+
+Outcome step_once(IslandRun& run)
+{
+    IslandWork& work = run.work;
+    const bool projects = run.world.projection_iterations > 0;
+    if (!run.begin(form_in(run.world), run.context.h)) return Outcome::kNoMemory;
+    if (!run.raise_inertias(work.system.h, kResolvedExactly)) return Outcome::kNoMemory;
+    if (projects) leave_depth_to_projection(run.world, work);
+    const bool closes_stops = !projects && leave_stops_to_poses(run.world, work.system);
+    load_warm_start(run, {});
+    const bool solved = solve_in_budget(run);
+    if (run.arena.failed()) return Outcome::kNoMemory;
+    if (run.solved.gave_up) return Outcome::kGaveUp;
+    const bool sane = solved && run.is_sound();
+    run.report_solution();
+    if (!sane) return Outcome::kRefused;
+    run.report_raised();
+    contain_unsound(run, false, [](int, bool) {});
+    run.add_solution_to_ledger(false);
+    write_back(work, run.tasks);
+    run.add_forces_to_ledger();
+    keep_impulses(run, {});
+    if (projects)
+        report_projected(run, advance_and_project(run));
+    else
+        advance_and_close_stops(run, closes_stops);
+    return Outcome::kMade;
+}
+
+Outcome step_in_substeps(IslandRun& run)
+{
+    const int n = run.world.exact_substeps;
+    const WarmStart start{.solutions = n};
+    ExactSubsteps substeps(run, form_in(run.world), n);
+    if (!substeps.begin() || !run.begin(form_in(run.world), substeps.substep())) return Outcome::kNoMemory;
+    substeps.map(run.work.system);
+    if (!run.raise_inertias(run.work.system.h, kResolvedExactly)) return Outcome::kNoMemory;
+    if (run.world.projection_iterations > 0) leave_depth_to_projection(run.world, run.work);
+    load_warm_start(run, start);
+    substeps.kick(run.world.warm_starting);
+    ProjectionReport projected;
+    const ExactSettings settings = settings_for(run);
+    const bool sane = solve_exactly(run.work.system, settings, run.arena, run.solved) && run.is_sound() &&
+                      substeps.run(settings, projected);
+    if (run.arena.failed()) return Outcome::kNoMemory;
+    run.report_solution();
+    if (!sane) return substeps.undo(), Outcome::kRefused;
+    run.add_forces_to_ledger();
+    keep_impulses(run, start);
+    if (run.world.projection_iterations > 0) report_projected(run, projected);
+    return Outcome::kMade;
+}
+
+Outcome step_exactly(IslandRun& run)
+{
+    return run.world.exact_substeps > 1 ? step_in_substeps(run) : step_once(run);
+}
+
+bool is_large(const Island& island) { return int(island.joints.size()) >= kLarge; }
+
+}  // namespace
+
+const Stepper kExact{.name = "exact", .step = step_exactly, .is_large = is_large};
+
+}  // namespace epode
