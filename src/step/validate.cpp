@@ -157,6 +157,24 @@ const char* fault_of(const World& world)
     return space ? fault_of(*space) : nullptr;
 }
 
+namespace {
+
+// Does holds(body) say so of all bodies that a joint of an island holds together?
+template <typename Holds>
+const char* fault_of_connection(const Joint& joint, const Holds& holds)
+{
+    if (!is_coupling(joint)) {
+        const bool inside = holds(*joint.body1()) && (!joint.body2() || holds(*joint.body2()));
+        return inside ? nullptr : "islands: a joint leads out of its island";
+    }
+    bool inside = true;
+    for_each_body(coupling_of(joint),
+                  [&](const Body& body) { inside = inside && (body.kinematic() || holds(body)); });
+    return inside ? nullptr : "islands: a coupling leads out of its island";
+}
+
+}  // namespace
+
 // Active bodies have their number in island_index.
 const char* fault_of(const World& world, const Islands& islands, Arena& arena)
 {
@@ -167,26 +185,17 @@ const char* fault_of(const World& world, const Islands& islands, Arena& arena)
         const auto i = std::size_t(body->island_index);
         return i < island_of.size() && std::exchange(island_of[i], island) == 0;
     };
-    const auto holds = [&](const Body* body, int island) {
-        const auto i = std::size_t(body->island_index);
-        return i < island_of.size() && island_of[i] == island;
-    };
     int number = 0;
+    const auto holds = [&](const Body& body) {
+        const auto i = std::size_t(body.island_index);
+        return i < island_of.size() && island_of[i] == number;
+    };
     for (const Island& island : islands.all) {
         ++number;
         for (const Body* body : island.bodies)
             if (!claims(body, number)) return "islands: a body is in two of them, or not active";
-        for (const Joint* joint : island.joints) {
-            if (is_coupling(*joint)) {
-                bool inside = true;
-                for_each_body(coupling_of(*joint), [&](const Body& body) {
-                    inside = inside && (body.kinematic() || holds(&body, number));
-                });
-                if (!inside) return "islands: a coupling leads out of its island";
-            } else if (!holds(joint->body1(), number) || (joint->body2() && !holds(joint->body2(), number))) {
-                return "islands: a joint leads out of its island";
-            }
-        }
+        for (const Joint* joint : island.joints)
+            if (const char* found = fault_of_connection(*joint, holds)) return found;
     }
     for (const Body* body : islands.asleep)
         if (!claims(body, ++number)) return "islands: a body falls asleep and is in an island";

@@ -106,12 +106,30 @@ void InteriorPoint::lay_out()
     rows_.r2 = array(), rows_.e = array(), rows_.D = array(), rows_.dp = array();
 }
 
+void InteriorPoint::move_inside(std::size_t i, double scale)
+{
+    PackedRows& rows = *packed_;
+    const bool real = rows.tag[i] != BoxState::kFixed;
+    const bool below = real && rows.lo[i] > -HUGE_VAL, above = real && rows.hi[i] < HUGE_VAL;
+    const double d = rows.d[i];
+    const double margin = std::min(0.5 * (rows.hi[i] - rows.lo[i]), 0.1 * scale / d);
+    if (real) rows.p[i] = std::min(std::max(rows.p[i], rows.lo[i] + margin), rows.hi[i] - margin);
+    rows_.lo[i] = below ? rows.lo[i] : 0, rows_.hi[i] = above ? rows.hi[i] : 0;
+    const auto place = [&](const InteriorSide& side, bool present, double s) {
+        side.present[i] = present;
+        side.s[i] = present ? s : 1;
+        side.z[i] = present ? std::min(0.01 * scale * scale / (d * s), 10 * scale) : 0;
+    };
+    place(rows_.lower, below, rows.p[i] - rows.lo[i]);
+    place(rows_.upper, above, rows.hi[i] - rows.p[i]);
+    bounds_ += below + above;
+}
+
 void InteriorPoint::start(const ExactProblem& problem, std::span<double> v)
 {
     lay_out();
     PackedRows& rows = *packed_;
     const auto n = std::size_t(rows.count());
-    const double scale = problem.scale();
     bounds_ = 0;
     // Rows with two bounds start in their middle: friction from the last step is often far off.
     for (std::size_t i = 0; i < n; ++i)
@@ -119,22 +137,7 @@ void InteriorPoint::start(const ExactProblem& problem, std::span<double> v)
     // The velocities are those of the impulses before they are moved off their bounds: the momentum that is
     // then missing costs less than hundreds of contacts that all carry an impulse.
     rows.velocities(problem, r1_, v);
-    for (std::size_t i = 0; i < n; ++i) {
-        const bool real = rows.tag[i] != BoxState::kFixed;
-        const bool below = real && rows.lo[i] > -HUGE_VAL, above = real && rows.hi[i] < HUGE_VAL;
-        const double d = rows.d[i];
-        const double margin = std::min(0.5 * (rows.hi[i] - rows.lo[i]), 0.1 * scale / d);
-        if (real) rows.p[i] = std::min(std::max(rows.p[i], rows.lo[i] + margin), rows.hi[i] - margin);
-        rows_.lo[i] = below ? rows.lo[i] : 0, rows_.hi[i] = above ? rows.hi[i] : 0;
-        const auto place = [&](const InteriorSide& side, bool present, double s) {
-            side.present[i] = present;
-            side.s[i] = present ? s : 1;
-            side.z[i] = present ? std::min(0.01 * scale * scale / (d * s), 10 * scale) : 0;
-        };
-        place(rows_.lower, below, rows.p[i] - rows.lo[i]);
-        place(rows_.upper, above, rows.hi[i] - rows.p[i]);
-        bounds_ += below + above;
-    }
+    for (std::size_t i = 0; i < n; ++i) move_inside(i, problem.scale());
     // The rows' velocities at this point, with multipliers of the right sign.
     const std::span<double> w(rows_.e, n);
     rows.products(v, w);

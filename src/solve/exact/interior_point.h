@@ -22,6 +22,7 @@ class InteriorPoint {
 
   private:
     void lay_out();
+    void move_inside(std::size_t i, double scale);
     void start(const ExactProblem& problem, std::span<double> v);
     template <typename AddTarget>
     void direction(ExactProblem& problem, const AddTarget& add_target);

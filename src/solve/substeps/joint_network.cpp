@@ -118,20 +118,22 @@ bool JointNetwork::pack(const RowSystem& system, Arena& arena)
     for (Coupling& c : couplings_)
         if (c.a != c.b) c.block = A_.between(c.a, c.b, c.transposed);
     for (const NetworkJoint& joint : joints_)
-        for (int i = 0; i < joint.count; ++i) {
-            const RowNumbers& n = system.numbers[std::size_t(joint.source + i)];
-            NetworkRow& row = rows_[std::size_t(joint.first + i)];
-            row.lo = n.lo, row.hi = n.hi, row.p = n.p, row.sum = 0;
-            row.parent = n.parent >= 0 ? n.parent - joint.source + joint.first : -1;
-            row.hold = Hold::kFree;
-            const bool bounded = n.parent >= 0 || n.lo > -kInf || n.hi < kInf;
-            bounded_ = bounded_ || bounded;
-            if (!bounded || n.parent >= 0) continue;
-            // Rows that the last step left on a bound will probably be there again.
-            if (row.p <= row.lo) row.hold = Hold::kLow;
-            if (row.p >= row.hi) row.hold = Hold::kHigh;
-        }
+        for (int i = 0; i < joint.count; ++i)
+            pack_row(system.numbers[std::size_t(joint.source + i)], joint,
+                     rows_[std::size_t(joint.first + i)]);
     return true;
+}
+
+void JointNetwork::pack_row(const RowNumbers& n, const NetworkJoint& joint, NetworkRow& row)
+{
+    row.lo = n.lo, row.hi = n.hi, row.p = n.p, row.sum = 0;
+    row.parent = n.parent >= 0 ? n.parent - joint.source + joint.first : -1;
+    row.hold = Hold::kFree;
+    bounded_ = bounded_ || n.parent >= 0 || n.bounded();
+    if (n.parent >= 0 || !n.bounded()) return;
+    // Rows that the last step left on a bound will probably be there again.
+    if (row.p <= row.lo) row.hold = Hold::kLow;
+    if (row.p >= row.hi) row.hold = Hold::kHigh;
 }
 
 void JointNetwork::load_row(const Row& row, const SolverBody* const (&bodies)[2], const Substep& step,

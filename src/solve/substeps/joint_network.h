@@ -83,6 +83,7 @@ class JointNetwork {
     }
     void load_row(const Row& row, const SolverBody* const (&bodies)[2], const Substep& step,
                   NetworkRow& out) const;
+    void pack_row(const RowNumbers& n, const NetworkJoint& joint, NetworkRow& row);
     void factor();
     void fill_diagonal(const NetworkJoint& joint);
     void fill_coupling(const Coupling& coupling);

@@ -48,6 +48,29 @@ void ContactCache::save(const BodyTable& bodies, StateStream& stream) const
     });
 }
 
+namespace {
+
+struct PairRecord {
+    std::uint32_t body1, body2, bits, points;
+};
+
+// Damage fails the stream. `left`: points that no pair has yet.
+PairRecord read_pair(StateStream& stream, std::uint32_t bodies, std::uint32_t left, bool first)
+{
+    PairRecord r;
+    r.body1 = stream.index(0, bodies, "a contact of no body"), r.body2 = stream.word(0);
+    r.bits = stream.word(0), r.points = r.bits & kCount;
+    if (stream.failed()) return r;
+    const bool has_bodies = (r.body2 < bodies && r.body2 != r.body1) || r.body2 == kNobody;
+    if (!stream.demand(has_bodies, "a contact of no body")) return r;
+    const bool has_points =
+        r.points <= std::uint32_t(kManifoldPoints) && r.points <= left && (!first || r.bits & kBeginsRun);
+    (void)stream.demand(has_points, "a contact with too many points");
+    return r;
+}
+
+}  // namespace
+
 // A pair without a step stands before each run: no guess reaches over it.
 bool ContactCache::load(const BodyTable& bodies, StateStream& stream, Loaded& out)
 {
@@ -67,13 +90,8 @@ bool ContactCache::load(const BodyTable& bodies, StateStream& stream, Loaded& ou
     const auto count = std::uint32_t(bodies.count());
     std::uint32_t used = 0;
     for (std::uint32_t i = 0; i < pairs && !stream.failed(); ++i) {
-        const std::uint32_t body1 = stream.index(0, count, "a contact of no body"), body2 = stream.word(0);
-        const std::uint32_t bits = stream.word(0), own = bits & kCount;
-        if (stream.failed() ||
-            !stream.demand((body2 < count && body2 != body1) || body2 == kNobody, "a contact of no body") ||
-            !stream.demand(own <= kManifoldPoints && used + own <= points && (i > 0 || bits & kBeginsRun),
-                           "a contact with too many points"))
-            break;
+        const auto [body1, body2, bits, own] = read_pair(stream, count, points - used, i == 0);
+        if (stream.failed()) break;
         if (bits & kBeginsRun) {
             (void)store.pairs.push(Pair{});
             (void)store.runs.push({store.pairs.size(), 0, -1, 1});

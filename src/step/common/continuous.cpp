@@ -304,20 +304,22 @@ bool Continuous::meet_others(const Item& item)
     return true;
 }
 
+bool Continuous::may_meet_on_way(const Item& a, const Item& b) const
+{
+    if (!overlap(a.way, b.way) || a.root != b.root || !stops(*a.geom, *b.geom)) return false;
+    if (a.geom->continuous != dContinuousOn && b.geom->continuous != dContinuousOn) return false;
+    if (states_[std::size_t(a.body)].group == states_[std::size_t(b.body)].group) return false;
+    return may_meet(*a.geom, *b.geom);
+}
+
 // Active bodies among themselves. False: out of memory.
 bool Continuous::meet_each_other()
 {
     auto& pairs = lists_.pairs;
     pairs.clear();
     for (std::size_t i = 0; i < items_.size(); ++i)
-        for (std::size_t k = i + 1; k < items_.size(); ++k) {
-            const Item &a = items_[i], &b = items_[k];
-            if (!overlap(a.way, b.way) || a.root != b.root || !stops(*a.geom, *b.geom)) continue;
-            if (a.geom->continuous != dContinuousOn && b.geom->continuous != dContinuousOn) continue;
-            if (states_[std::size_t(a.body)].group == states_[std::size_t(b.body)].group) continue;
-            if (!may_meet(*a.geom, *b.geom)) continue;
-            if (!pairs.push({int(i), int(k)})) return false;
-        }
+        for (std::size_t k = i + 1; k < items_.size(); ++k)
+            if (may_meet_on_way(items_[i], items_[k]) && !pairs.push({int(i), int(k)})) return false;
     for (int round = 0; round < kRounds; ++round) {
         bool changed = false;
         for (const auto& [i, k] : pairs) {

@@ -80,6 +80,7 @@ class Continuous {
     bool meet_while_held();
     bool meet_all();
     bool meet_others(const Item& item);
+    bool may_meet_on_way(const Item& a, const Item& b) const;
     bool meet_each_other();
     void meet(const Item& a, Geom& other, int other_body);
     void stop(int body, Real time, int carrier);

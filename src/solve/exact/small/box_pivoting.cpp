@@ -60,14 +60,41 @@ bool BoxPivoting::settle(double tolerance)
     return true;
 }
 
+// Is p_i at a bound that w_i holds it at?
+bool BoxPivoting::rests_already(int i, double tolerance)
+{
+    const auto k = at(i);
+    if (p_[k] <= lo_[k] && x_[k] >= -tolerance) return rest(i, kLower), true;
+    if (p_[k] >= hi_[k] && x_[k] <= tolerance) return rest(i, kUpper), true;
+    return false;
+}
+
+// Moves all that follows the row that is driven by this length.
+void BoxPivoting::move(double length)
+{
+    DoubleLane *x = lanes(x_), *rate = lanes(rate_);
+    for (DoubleLane* end = x + stride_ / 2; x < end; ++x, ++rate) *x += *rate * length;
+}
+
+// The row has reached an end of its range.
+void BoxPivoting::change_sides(int row)
+{
+    const bool below = rate_[at(row)] < 0;
+    gather(row);
+    if (!basic(row)) return enter(row);
+    sweep(row, -1);
+    p_[at(row)] = below ? lo_[at(row)] : hi_[at(row)];
+    x_[at(row)] = 0;
+    rest(row, below ? kLower : kUpper);
+}
+
 // Moves p_i against w_i until w_i = 0 or p_i is at a bound; rows that reach their own end on the way change
 // sides.
 bool BoxPivoting::drive(int i, double tolerance)
 {
     const auto k = at(i);
     while (true) {
-        if (p_[k] <= lo_[k] && x_[k] >= -tolerance) return rest(i, kLower), true;
-        if (p_[k] >= hi_[k] && x_[k] <= tolerance) return rest(i, kUpper), true;
+        if (rests_already(i, tolerance)) return true;
         if (sweeps_left_-- <= 0) return false;
         gather(i);
         const double direction = x_[k] < 0 ? 1 : -1;
@@ -76,25 +103,14 @@ bool BoxPivoting::drive(int i, double tolerance)
         const bool meets_bound = distance < length;
         if (meets_bound) length = distance;
         const int first = first_to_stop(direction, length);
-        const bool below = first >= 0 && rate_[at(first)] < 0;
-        DoubleLane *x = lanes(x_), *rate = lanes(rate_);
-        const double moved = length;
-        for (DoubleLane* end = x + stride_ / 2; x < end; ++x, ++rate) *x += *rate * moved;
+        move(length);
         p_[k] += direction * length;
         if (first < 0 && !meets_bound) return enter(i), true;
         if (first < 0) {
             p_[k] = direction > 0 ? hi_[k] : lo_[k];
             return rest(i, direction > 0 ? kUpper : kLower), true;
         }
-        gather(first);
-        if (basic(first)) {
-            sweep(first, -1);
-            p_[at(first)] = below ? lo_[at(first)] : hi_[at(first)];
-            x_[at(first)] = 0;
-            rest(first, below ? kLower : kUpper);
-        } else {
-            enter(first);
-        }
+        change_sides(first);
     }
 }
 

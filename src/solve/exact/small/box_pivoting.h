@@ -49,6 +49,9 @@ class BoxPivoting {
     const double* row(int i) const { return G_.data() + at(i) * stride_; }
     int max_sweeps() const { return 8 * n_ + 16; }
     bool drive(int i, double tolerance);
+    bool rests_already(int i, double tolerance);
+    void move(double length);
+    void change_sides(int row);
     int first_to_stop(double direction, double& length);
     void gather(int k);
     void enter(int i);

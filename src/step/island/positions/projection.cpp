@@ -128,32 +128,7 @@ class Projection {
             RowWriter out(now, info_);
             if (!block.contact) emit_joint(*work_.joints[k], out);
             const int first = rows;
-            const Real per_arm = 1 / longest_arm(work_, block);
-            for (int i = 0; i < block.count; ++i) {
-                const Row& row = work_.system.rows[std::size_t(block.first + i)];
-                if (has_rotor(row) && has_equalities(block)) {
-                    holds_[std::size_t(rows)] = {block.first + i, 0, 0, false, row.drive->inertia};
-                    system_.rows[std::size_t(rows++)] = i < out.count() ? now[i] : row;
-                    continue;
-                }
-                if (!holds_position(row, block)) continue;
-                const bool follows = i >= out.count() || row.given;
-                const bool turns = row.lin1 == Vec3{} && row.lin2 == Vec3{};
-                Hold& hold = holds_[std::size_t(rows)];
-                hold = {block.first + i, 0, turns ? Real(1) : per_arm, follows};
-                hold.error = follows ? row.error - motion(row, block) : now[i].error;
-                one_sided_ |= row.lo == 0 || row.hi == 0;
-                if (row.kind == RowKind::kNormal) {
-                    // An open point of a manifold has its gap as a velocity (step/island/problem/manifold_rows).
-                    if (k >= work_.joints.size()) hold.error += work_.system.h * std::min(row.speed, Real(0));
-                    hold.error -= world_.projection_tolerance / 2 / per_arm;
-                    const Real share = std::min(row.erp, Real(1));
-                    // The tolerance is one of the depth, not of the share that this step removes.
-                    if (hold.error > 0 && share > 0) hold.error *= share, hold.per_arm /= share;
-                    if (!(share > 0)) hold.error = std::min(hold.error, Real(0));
-                }
-                system_.rows[std::size_t(rows++)] = i < out.count() ? now[i] : row;
-            }
+            choose_rows_of(int(k), {now, std::size_t(out.count())}, rows);
             if (rows == first) continue;
             from_[std::size_t(blocks)] = int(k);
             RowBlock& to = system_.blocks[std::size_t(blocks++)];
@@ -164,6 +139,43 @@ class Projection {
         system_.numbers = system_.numbers.first(std::size_t(rows));
         system_.blocks = system_.blocks.first(std::size_t(blocks));
         holds_ = holds_.first(std::size_t(rows));
+    }
+
+    // Of block k; `now`: its rows at the present pose, if it is a joint's.
+    void choose_rows_of(int k, std::span<const Row> now, int& rows)
+    {
+        const RowBlock& block = work_.system.blocks[std::size_t(k)];
+        const Real per_arm = 1 / longest_arm(work_, block);
+        for (int i = 0; i < block.count; ++i) {
+            const Row& row = work_.system.rows[std::size_t(block.first + i)];
+            const bool is_new = std::size_t(i) < now.size();
+            Hold& hold = holds_[std::size_t(rows)];
+            if (has_rotor(row) && has_equalities(block)) {
+                hold = {block.first + i, 0, 0, false, row.drive->inertia};
+            } else if (holds_position(row, block)) {
+                const bool follows = !is_new || row.given;
+                const bool turns = row.lin1 == Vec3{} && row.lin2 == Vec3{};
+                hold = {block.first + i, 0, turns ? Real(1) : per_arm, follows};
+                hold.error = follows ? row.error - motion(row, block) : now[std::size_t(i)].error;
+                one_sided_ |= row.lo == 0 || row.hi == 0;
+                if (row.kind == RowKind::kNormal) aim_at_depth(row, k, per_arm, hold);
+            } else {
+                continue;
+            }
+            system_.rows[std::size_t(rows++)] = is_new ? now[std::size_t(i)] : row;
+        }
+    }
+
+    void aim_at_depth(const Row& normal, int block, Real per_arm, Hold& hold) const
+    {
+        // An open point of a manifold has its gap as a velocity (step/island/problem/manifold_rows).
+        if (std::size_t(block) >= work_.joints.size())
+            hold.error += work_.system.h * std::min(normal.speed, Real(0));
+        hold.error -= world_.projection_tolerance / 2 / per_arm;
+        const Real share = std::min(normal.erp, Real(1));
+        // The tolerance is one of the depth, not of the share that this step removes.
+        if (hold.error > 0 && share > 0) hold.error *= share, hold.per_arm /= share;
+        if (!(share > 0)) hold.error = std::min(hold.error, Real(0));
     }
 
     bool holds_position(const Row& row, const RowBlock& block) const
