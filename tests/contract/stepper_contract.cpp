@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What every stepper (a line of steppers.inc) promises: free fall, rest on contact joints and on world-managed contacts, joints that
-// hold and tell their force, momentum that nobody outside changes, sleep, a report, and the same bits on one thread and on three.
+// hold and report their force, momentum that nobody outside changes, sleep, a report, and the same bits on one thread and on three.
 // Bounds are those of the first order in the step, which all of them have.
 #include <gtest/gtest.h>
 
@@ -138,7 +138,7 @@ TEST_P(StepperContract, rests_a_pile_on_contacts_of_the_world)
     EXPECT_LT(speed(below) + speed(above), kTrembling);
 }
 
-TEST_P(StepperContract, holds_a_pendulum_and_tells_its_force)
+TEST_P(StepperContract, holds_a_pendulum_and_reports_its_force)
 {
     const dBodyID bob = box(1, 0, 0);
     const dJointID joint = dJointCreateBall(world, nullptr);
