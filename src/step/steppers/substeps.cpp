@@ -67,7 +67,7 @@ class SubstepRun {
     }
 
   private:
-    // What swept joints leave open depends on the number of substeps: with another one they would jerk. So it is what the
+    // What swept joints leave open depends on the number of substeps: with another one they would jerk. It is what the
     // program asked for, whether the island settles or not, unless gaps stay wide.
     int count() const
     {
