@@ -25,13 +25,13 @@ struct Golden {
     std::uint64_t saved, later;
 };
 
-constexpr Golden kGolden[2][8] = {{{0xe51a5279bbbc41e0, 0xa4102947598ae795},
-                                   {0x0772853e028d748d, 0x4ca04219cd8d315f},
-                                   {0x46a5aedb656d19d0, 0xa491f2e395f5ed88},
-                                   {0xeb9c465763593b4a, 0x594fb5222770b717},
+constexpr Golden kGolden[2][8] = {{{0x357853af5f3e8a0f, 0x15d8302b97ba88c7},
+                                   {0xe05d1ba6d287604c, 0x3fa5d91f0dacda74},
+                                   {0x58a02f1cac5407a2, 0x86660d02beab13eb},
+                                   {0x7f49a401ab7d3eb0, 0x4196658b1e735995},
                                    {0x24086652d3f05001, 0xd0e3900b068f371b},
                                    {0xd10e4193131c6694, 0x9008f935f1b0ce4d},
-                                   {0x1d30f524801d50e7, 0xd8be2bafde4f484f},
+                                   {0x67bacff6c1a6190c, 0x4ed71faa7e112214},
                                    {0x7988c4a09d623dfe, 0x233a5f325fa8a00d}},
                                   {{0x5bd7820f4a5c8cb0, 0x3902e627b17d1673},
                                    {0xad047417bd0e6c07, 0x5877d84cef7e2911},

@@ -21,7 +21,7 @@ namespace {
 constexpr int kLarge = 256;                 // joints of an island that all workers solve together
 constexpr double kLeftToProjection = 1e-9;  // residual; the projection corrects smaller errors of position
 
-bool solve_stops(RowSystem& system, const World&, const Tasks& tasks, Arena& arena)
+bool solve_stops_exactly(RowSystem& system, const World&, const Tasks& tasks, Arena& arena)
 {
     SolveReport report;
     return solve_exactly(system, {.tasks = tasks}, arena, report);
@@ -71,7 +71,8 @@ void advance_and_close_stops(IslandRun& run, bool closes_stops)
 {
     advance_poses(run.world, run.work, run.context.h);
     if (closes_stops)
-        run.correct_poses([&] { close_stops(run.world, run.work, solve_stops, run.tasks, run.arena); });
+        run.correct_poses(
+            [&] { close_stops(run.world, run.work, solve_stops_exactly, run.tasks, run.arena); });
 }
 
 Outcome step_once(IslandRun& run)
@@ -102,7 +103,7 @@ Outcome step_once(IslandRun& run)
     return Outcome::kMade;
 }
 
-Outcome step_in_substeps(IslandRun& run)
+Outcome step_in_exact_substeps(IslandRun& run)
 {
     const int n = run.world.exact_substeps;
     const WarmStart start{.solutions = n};
@@ -128,13 +129,13 @@ Outcome step_in_substeps(IslandRun& run)
 
 Outcome step_exactly(IslandRun& run)
 {
-    return run.world.exact_substeps > 1 ? step_in_substeps(run) : step_once(run);
+    return run.world.exact_substeps > 1 ? step_in_exact_substeps(run) : step_once(run);
 }
 
-bool is_large(const Island& island) { return int(island.joints.size()) >= kLarge; }
+bool has_many_joints(const Island& island) { return int(island.joints.size()) >= kLarge; }
 
 }  // namespace
 
-const Stepper kExact{.name = "exact", .step = step_exactly, .is_large = is_large};
+const Stepper kExact{.name = "exact", .step = step_exactly, .is_large = has_many_joints};
 
 }  // namespace epode

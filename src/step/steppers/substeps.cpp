@@ -196,7 +196,7 @@ class SubstepRun {
 Outcome step_in_substeps(IslandRun& run) { return SubstepRun(run, false).step(); }
 Outcome step_with_exact_joints(IslandRun& run) { return SubstepRun(run, true).step(); }
 
-bool is_large(const Island& island) { return int(island.manifolds.size()) >= kLargeManifolds; }
+bool has_many_manifolds(const Island& island) { return int(island.manifolds.size()) >= kLargeManifolds; }
 
 // Islands of the world's substeps whose joints sweeps do not hold take exact joints.
 bool choose_where_strained(const StepContext& context, std::span<const Island> islands, Arena&,
@@ -213,7 +213,7 @@ const Stepper kSubsteps{.name = "substeps",
                         .step = step_in_substeps,
                         .sharing = [](bool) { return Sharing::kAlike; },
                         .max_weight = kMaxWeight,
-                        .is_large = is_large,
+                        .is_large = has_many_manifolds,
                         .has_substeps = true,
                         .iterates = true,
                         .for_strained = &kSubstepsExactJoints,
@@ -225,7 +225,7 @@ const Stepper kSubstepsExactJoints{.name = "substeps with exact joints",
                                    .step = step_with_exact_joints,
                                    .sharing = [](bool) { return Sharing::kWithoutJoints; },
                                    .max_weight = kMaxWeight,
-                                   .is_large = is_large,
+                                   .is_large = has_many_manifolds,
                                    .has_substeps = true,
                                    .iterates = true};
 

@@ -7,6 +7,7 @@
 #include <ode/ext.h>
 #include <ode/ode.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -76,9 +77,13 @@ TEST_F(TurnMotor, holds_the_angle_by_the_stops_of_its_first_axis)
     const dJointID motor = make(a, b);
     dJointSetAMotorParam(motor, dParamHiStop, dReal(0.6));
     dBodySetAngularVel(a, dReal(0.5), -1, dReal(0.3));
-    for (int i = 0; i < 400; ++i) dWorldStep(world, dReal(0.005));
-    const std::vector<double> r = turn_of(motor);
-    EXPECT_NEAR(std::sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]), 0.6, 0.01);
+    double largest = 0;
+    for (int i = 0; i < 400; ++i) {
+        dWorldStep(world, dReal(0.005));
+        const std::vector<double> r = turn_of(motor);
+        largest = std::max(largest, std::sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]));
+    }
+    EXPECT_NEAR(largest, 0.6, 0.01);
     // The bodies go on together.
     const dReal *wa = dBodyGetAngularVel(a), *wb = dBodyGetAngularVel(b);
     const double sum = double(wa[0] + wb[0]);
