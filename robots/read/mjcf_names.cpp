@@ -125,7 +125,7 @@ std::string advice(const std::string& wrong, const Words& words)
 }
 
 // Of what its name is the name; empty: of nothing that may be named once only.
-std::string kind_of(const std::string& path)
+std::string named_kind(const std::string& path)
 {
     static const std::map<std::string, std::string> kinds{
         {"body/freejoint", "joint"}, {"tendon/fixed", "tendon"}, {"tendon/spatial", "tendon"}};
@@ -172,7 +172,7 @@ void MjcfNames::check_attributes(const Element& element, const std::string& path
 
 void MjcfNames::check_name(const Element& element, const std::string& path)
 {
-    std::string kind = kind_of(path);
+    std::string kind = named_kind(path);
     const std::string name = element.text("name");
     if (kind.empty() || name.empty() || (path == "body" && element.name() != "body")) return;
     const auto [it, is_new] = lines_[kind].try_emplace(name, element.line());
