@@ -61,7 +61,8 @@ TEST_P(SteadySlide, is_as_deep_and_rubs_as_much_in_every_step)
         EXPECT_NEAR(dragged.height(), height, tol(1e-5, 1e-4)) << i;
         const dWorldContact c = dragged.of_ground();
         EXPECT_NEAR(c.normal_force, load, tol(1e-3, 5e-3) * load) << i;
-        EXPECT_NEAR(length(vec(c.friction_force)), GetParam() * load, tol(2e-3, 1e-2) * GetParam() * load) << i;
+        EXPECT_NEAR(length(vec(c.friction_force)), GetParam() * load, tol(2e-3, 1e-2) * GetParam() * load)
+            << i;
     }
 }
 
