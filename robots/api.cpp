@@ -472,7 +472,7 @@ int dRobotModelGetMocap(dRobotModelID model, int number)
     if (check(number >= 0 && number < int(all.size()), __func__,
               "a model and a number below dRobotModelGetNumMocap"))
         return all[size_t(number)];
-    return -1;
+    return 0;
 }
 
 int dRobotSetMocap(dRobotID robot, int link, const dReal* position, const dReal* q)

@@ -353,7 +353,7 @@ ODE_API dReal dRobotGetActivation(dRobotID robot, int actuator);
 /** Bodies that the program moves (MJCF: mocap): they stand where they have been put, whatever touches them, and pull what is
     welded to them.
     - dRobotModelGetNumMocap: Returns how many there are.
-    - dRobotModelGetMocap: Returns the link of the one of that number. Refused: no such number (-1 is returned).
+    - dRobotModelGetMocap: Returns the link of the one of that number. Refused: no such number (0 is returned).
     - dRobotSetMocap: Puts such a link at the position, m, and quaternion q in the world; NULL: as it is. Returns 1.
       Refused: a link that is none of them; a quaternion of length 0. [ours] */
 ODE_API int dRobotModelGetNumMocap(dRobotModelID model);

@@ -170,6 +170,45 @@ void test_history()
     judge("dWorldExt::rollBack", world.rollBack(2) == 1 && ground.body.getPosition()[2] == z, Numbers());
 }
 
+void test_characters()
+{
+    dWorldExt world;
+    dHashSpace space(0);
+    dPlane floor(space, 0, 0, 1, 0);
+    dCharacter hero;
+    hero.create(space);
+    judge("dCharacter::create", dGeomIsCharacter(hero) == 1, Numbers());
+    judge("dGeomExt::isCharacter", hero.isCharacter() == 1, Numbers());
+    dCharacterSettings settings;
+    dCharacterSettingsInit(&settings, sizeof settings);
+    judge("dCharacter::getSettings", hero.getSettings(&settings) == 1 && settings.max_force == 500,
+          Numbers());
+    settings.max_force = 200;
+    hero.setSettings(&settings);
+    judge("dCharacter::setSettings", hero.getSettings(&settings) == 1 && settings.max_force == 200,
+          Numbers());
+    dVector3 feet, along = {1, 0, 0}, velocity;
+    hero.setFeet(3, 0, REAL(0.1));
+    judge("dCharacter::setFeet", dCharacterGetPosition(hero, feet) == 1 && feet[0] == 3, Numbers(1, feet[0]));
+    judge("dCharacter::getFeet", hero.getFeet(feet) == 1 && feet[0] == 3, Numbers(1, feet[0]));
+    hero.walk(along, 0, REAL(0.1));
+    hero.getFeet(feet);
+    judge("dCharacter::walk", feet[0] > 3, Numbers(1, feet[0]));
+    const dReal before = feet[0];
+    hero.move(along, REAL(0.1));
+    hero.getFeet(feet);
+    judge("dCharacter::move", feet[0] > before, Numbers(1, feet[0]));
+    hero.setVelocity(along);
+    judge("dCharacter::setVelocity", dCharacterGetVelocity(hero, velocity) == 1 && velocity[0] == 1,
+          Numbers(1, velocity[0]));
+    judge("dCharacter::getVelocity", hero.getVelocity(velocity) == 1 && velocity[0] == 1,
+          Numbers(1, velocity[0]));
+    judge("dCharacter::setHeight", hero.setHeight(1) == 1, Numbers());
+    dCharacterReport report;
+    report.struct_size = sizeof report;
+    judge("dCharacter::getReport", hero.getReport(&report) == 1 && report.state != 0, Numbers());
+}
+
 void test_joints()
 {
     dWorldExt world;
@@ -193,6 +232,9 @@ void test_joints()
     joint.setStopSpring(0, 30, 4);
     judge("dJointExt::setStopSpring", dJointGetStopSpring(joint, 0, &a, &b) == 1 && a == 30, Numbers(1, a));
     judge("dJointExt::getStopSpring", joint.getStopSpring(0, &a, &b) == 1 && b == 4, Numbers(1, b));
+    joint.setStopRate(0, 20);
+    judge("dJointExt::setStopRate", dJointGetStopRate(joint, 0) == 20, Numbers());
+    judge("dJointExt::getStopRate", joint.getStopRate(0) == 20, Numbers());
     joint.setBreakLimits(1, 0);
     judge("dJointExt::setBreakLimits", dJointGetBreakLimits(joint, &a, &b) == 1 && a == 1, Numbers(1, a));
     judge("dJointExt::getBreakLimits", joint.getBreakLimits(&a, &b) == 1 && a == 1, Numbers(1, a));
@@ -358,6 +400,7 @@ int main()
     test_contacts();
     test_copies();
     test_history();
+    test_characters();
     test_joints();
     test_coupling();
     test_body_and_geoms();

@@ -154,8 +154,10 @@ void turn(dBodyID body, const Vec3& axis, double angle)
     turn_around(body, {p[0], p[1], p[2]}, {std::cos(angle / 2), s * axis.x, s * axis.y, s * axis.z});
 }
 
+// The default CFM has a limit under so heavy bodies (difference D50); other numbers are literal in both libraries.
 void stiffen(const Rig& rig)
 {
+    dWorldSetCFM(dBodyGetWorld(rig.a() != nullptr ? rig.a() : rig.b()), dReal(2e-10));
     for (const dBodyID body : {rig.a(), rig.b()}) {
         if (body == nullptr) { continue; }
         dMass mass;
