@@ -178,7 +178,6 @@ void test_characters()
     dCharacter hero;
     hero.create(space);
     judge("dCharacter::create", dGeomIsCharacter(hero) == 1, Numbers());
-    judge("dGeomExt::isCharacter", hero.isCharacter() == 1, Numbers());
     dCharacterSettings settings;
     dCharacterSettingsInit(&settings, sizeof settings);
     judge("dCharacter::getSettings", hero.getSettings(&settings) == 1 && settings.max_force == 500,
@@ -284,6 +283,7 @@ void test_body_and_geoms()
     ground.body.setHybridStepper(dStepperExact);
     judge("dBodyExt::setHybridStepper", dBodyGetHybridStepper(ground.body) == dStepperExact, Numbers());
     judge("dBodyExt::getHybridStepper", ground.body.getHybridStepper() == dStepperExact, Numbers());
+    judge("dGeomExt::isCharacter", ground.ball.isCharacter() == 0, Numbers());
     judge("dGeomExt::geom", ground.ball.geom() == ground.ball.id(), Numbers());
     dMaterialExt ice, read;
     ice.friction = REAL(0.02);
