@@ -345,10 +345,11 @@ class Robot:
     def _copied(cls, model: Model, like: _Robot, world: World, places: tuple[list[int], list[int], list[int]]) -> Robot:
         """The robot in a copy of its world, whose bodies, joints and geoms stand at those places."""
         self = cls.__new__(cls)
-        groups = [list(group.values()) for group in (world._bodies, world._joints, world._geoms)]
-        bodies, joints, geoms = ([group[i] for i in its] for group, its in zip(groups, places))
+        all_bodies, all_joints, all_geoms = list(world._bodies.values()), list(world._joints.values()), list(world._geoms.values())
+        bodies, joints, geoms = [all_bodies[i] for i in places[0]], [all_joints[i] for i in places[1]], [all_geoms[i] for i in places[2]]
         self.model, self.world = model, world
-        self._robot = like.counterpart(world._handle, *([one._handle for one in its] for its in (bodies, joints, geoms)))
+        self._robot = like.counterpart(world._handle, [one._handle for one in bodies], [one._handle for one in joints],
+                                        [one._handle for one in geoms])
         self._bodies, self._joints = {b._handle: b for b in bodies}, {j._handle: j for j in joints}
         self._geoms, self._seen, self.mocap = geoms, -1, Mocap(self)
         world._robots.append(self)

@@ -75,7 +75,7 @@ def load_world(path: str | os.PathLike[str]) -> World:
     if space is None:
         space = c.dHashSpaceCreate(None)
     world = World._around(handle, space)
-    bodies, joints = ([found[i] for i in range(len(found))] for found in (c.dWorldGetBodies(handle), c.dWorldGetJoints(handle)))
+    bodies, joints = list(c.dWorldGetBodies(handle)), list(c.dWorldGetJoints(handle))
     geoms = [geom for i in range(c.dSpaceGetNumGeoms(space)) if (geom := c.dSpaceGetGeom(space, i)) is not None]
     world._adopt(Description.of_handles(bodies, joints, geoms), bodies, joints, geoms)
     return world

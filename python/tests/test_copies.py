@@ -66,9 +66,9 @@ def test_a_clone_has_no_function_of_the_original():
 
 def test_a_damaged_pickle_is_refused():
     world, _ = machine()
-    rebuild, (file, description, numbers) = world.__reduce__()
+    rebuild, (file, *others) = world.__reduce__()
     with pytest.raises(epode.RefusedError):
-        rebuild(file[:-100] + b"x" * 100, description, numbers)
+        rebuild(file[:-100] + b"x" * 100, *others)
 
 
 def run(world):

@@ -17,6 +17,8 @@ NAMES = {
     "dRobotOptionsInit": "robot.load", "dRobotModelLoad": "robot.load", "dRobotModelLoadText": "robot.from_text",
     "dRobotModelSave": "robot.Model.save", "dRobotModelDestroy": "robot.Model",
     "dRobotModelGetReport": "robot.check", "dRobotModelHasErrors": "robot.check",
+    "dRobotModelGetNumMocap": "robot.Model.mocap_names", "dRobotModelGetMocap": "robot.Model.mocap_names",
+    "dRobotSetMocap": "robot.Mocap",
     "dRobotModelGetLinks": "robot.Model.link_names", "dRobotModelGetJoints": "robot.Model.joint_names",
     "dRobotModelGetNumPositions": "robot.Model.position_count", "dRobotModelGetNumVelocities": "robot.Model.velocity_count",
     "dRobotModelGetNumActuators": "robot.Model.actuator_names", "dRobotModelGetNumStarts": "robot.Model.starts",
