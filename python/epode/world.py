@@ -75,7 +75,8 @@ def load_world(path: str | os.PathLike[str]) -> World:
     if space is None:
         space = c.dHashSpaceCreate(None)
     world = World._around(handle, space)
-    bodies, joints = list(c.dWorldGetBodies(handle)), list(c.dWorldGetJoints(handle))
+    found, others = c.dWorldGetBodies(handle), c.dWorldGetJoints(handle)
+    bodies, joints = [found[i] for i in range(len(found))], [others[i] for i in range(len(others))]
     geoms = [geom for i in range(c.dSpaceGetNumGeoms(space)) if (geom := c.dSpaceGetGeom(space, i)) is not None]
     world._adopt(Description.of_handles(bodies, joints, geoms), bodies, joints, geoms)
     return world
