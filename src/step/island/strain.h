@@ -16,8 +16,8 @@
 //
 // A structure of many joints may give way without a gain: what a sweep removes of an error that many joints
 // share is small (step/island/problem/joint_memory.h), and where weight presses harder than that, a wall leans
-// and falls as if of jelly. Its gaps are wide, and stay: steps note the largest, and an island whose gaps stay
-// wide takes more substeps, until they have closed.
+// and falls as if of jelly. Its gaps are wide, and stay: steps note the largest, and an island with loops of
+// joints whose gaps stay wide takes more substeps, until they have closed.
 #pragma once
 
 #include "step/common/island_method.h"
