@@ -34,7 +34,7 @@ Shade shade(const float* color, Vec normal, Vec towards_eye)
 }
 
 // Squares of 1 m on planes, so that a floor shows how far it reaches.
-const float* color_of_stranger(const dQueryHit& hit)
+const float* color_of_other_geom(const dQueryHit& hit)
 {
     static constexpr float light[] = {0.80f, 0.79f, 0.76f}, dark[] = {0.66f, 0.66f, 0.64f},
                            body[] = {0.80f, 0.52f, 0.28f};
@@ -53,7 +53,7 @@ void write_pixel(size_t place, const dQueryHit& hit, double stretch, Vec towards
     Shade shown{{206, 220, 236}};
     const auto own = colors.find(hit.geom);
     if (hit.geom)
-        shown = shade(own == colors.end() ? color_of_stranger(hit) : own->second, vec_of(hit.normal),
+        shown = shade(own == colors.end() ? color_of_other_geom(hit) : own->second, vec_of(hit.normal),
                       towards_eye);
     std::copy_n(shown.rgb, 3, pixels.color + 3 * place);
 }

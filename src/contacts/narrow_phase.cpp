@@ -328,7 +328,8 @@ class PairUpdate {
         return body ? cross(body->angular_velocity(), r) : Vec3{};
     }
 
-    // What is too fast to be stopped meets the other side there.
+    // Whether a point has a negative separation: at the end of the step that part of the pair would be inside the other
+    // geom and touch it from behind.
     static bool passed(const CachedManifold& part)
     {
         const auto points = std::span(part.manifold.points).first(std::size_t(part.manifold.count));
@@ -360,9 +361,9 @@ class PairUpdate {
     bool knows_corners() const { return looks_ahead() && !is_round(g1_) && !is_round(g2_); }
     bool looks_ahead() const { return settings_.foresees && pair_.max_manifolds == 1 && !pair_.asked; }
 
-    // Corners that do not touch yet are contacts, too: those that will before the two are collided again; and
-    // of a swift pair more, for who lands on a corner turns about it, and the corner opposite comes down with
-    // twice the speed and more.
+    // Corners within this distance are contacts although they do not touch yet. It covers the motion until the pair is
+    // collided again. A fast pair gets twice its motion: a body that lands on one corner turns about it, and the opposite
+    // corner comes down at twice the speed or more.
     Real margin() const
     {
         if (!looks_ahead()) return 0;

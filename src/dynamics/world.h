@@ -82,7 +82,8 @@ struct World : Tagged {
 
     void* data = nullptr;
     std::uint64_t step_count = 0;
-    Busy busy = Busy::kNo;  // calls that would pull the step's feet away are refused; mark_busy()
+    Busy busy =
+        Busy::kNo;  // calls that would change what a step or a walk is reading are refused; mark_busy()
     bool report_wanted = false;
     bool report_made = false;  // a step has been made since it was wanted
     dWorldStepReport report{};

@@ -115,7 +115,8 @@ bool same_triangles(const TrimeshData& d)
     return true;
 }
 
-// A vertex that an edge which bends inwards ends at is nobody's.
+// The triangle that uses each edge and vertex (dMESHDATAUSE_*). Concave edges are used by no triangle, nor are the
+// vertices at their ends.
 void make_use_flags(const TriangleMesh& mesh, unsigned char* flags)
 {
     const int count = mesh.triangle_count();

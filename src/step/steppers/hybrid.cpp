@@ -230,7 +230,7 @@ HybridChoice choose(const World& world, const Island& island, Real h)
     return choice;
 }
 
-const Stepper& relieved(const Stepper& stepper, const Island& island)
+const Stepper& stepper_for_strain(const Stepper& stepper, const Island& island)
 {
     if (!stepper.for_strained || !has_lasting_joints(island)) return stepper;
     if (island.settles()) return *stepper.for_strained;

@@ -39,9 +39,9 @@ HybridChoice choose(const World& world, const Island& island, Real h);
 
 // The stepper, but what it has for strained islands if a step of the last kStrainedSteps has strained this one, or it
 // settles (dynamics/sleep/settle.h).
-const Stepper& relieved(const Stepper& stepper, const Island& island);
+const Stepper& stepper_for_strain(const Stepper& stepper, const Island& island);
 
-// Whether the step has strained the island, for relieved().
+// Whether the step has strained the island, for stepper_for_strain().
 void remember_strain(const Island& island, const IslandMethod& method);
 
 }  // namespace epode

@@ -65,7 +65,7 @@ bool choose_hybrid_methods(const StepContext& context, std::span<const Island> i
     double substeps = 0, network = 0;
     for (std::size_t i = 0; i < islands.size(); ++i) {
         const HybridChoice choice = choose(world, islands[i], context.h);
-        const Stepper& stepper = relieved(*choice.stepper, islands[i]);
+        const Stepper& stepper = stepper_for_strain(*choice.stepper, islands[i]);
         methods[i] = {&stepper, hybrid_iterations(world, stepper)};
         substeps += choice.substeps_work, network += choice.network_work;
         if (choice.wants_exact)

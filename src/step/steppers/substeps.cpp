@@ -203,7 +203,7 @@ bool choose_where_strained(const StepContext& context, std::span<const Island> i
                            std::span<IslandMethod> methods)
 {
     for (std::size_t i = 0; i < methods.size(); ++i)
-        methods[i] = {&relieved(kSubsteps, islands[i]), context.iterations};
+        methods[i] = {&stepper_for_strain(kSubsteps, islands[i]), context.iterations};
     return true;
 }
 

@@ -149,7 +149,7 @@ class SubPlaneExtent<Cylinder> {
         const Quad depth = planes.hair - planes.rise(way) + magnitude(rise) + drop;
         const unsigned sinking = bits(quad(0) <= depth);
         if (!sinking) return 0;
-        // Upright to the plane, or nearly, it shows no side: any will do, and all of the disc.
+        // If the axis is (nearly) normal to the plane, every direction across is as deep: take any, with the whole disc.
         const Quad least = quad(Real(1e-6)) * magnitude(along), per = quad(1) / larger(size, least);
         const Quad3 up = {if_less(least, size, per * across.x, quad(aside_.x)),
                           if_less(least, size, per * across.y, quad(aside_.y)),

@@ -38,7 +38,7 @@ namespace epode {
 namespace {
 
 // Times the largest moment: more would leave no digits to the turns about the load's line.
-constexpr Real kMostRaised = kSingle ? Real(1e3) : Real(1e10);
+constexpr Real kMaxRaise = kSingle ? Real(1e3) : Real(1e10);
 
 // What a joint exerted, and its levers, squared.
 struct Load {
@@ -83,7 +83,7 @@ Real raise(const Body& body, SolverBody& out, const Sym3& S, Real resolved)
     Sym3 I = rotate(body.rotation(), body.inertia);
     const Real largest = std::max(I.xx, std::max(I.yy, I.zz));
     if (!(s > resolved * largest)) return 0;
-    const Real k = std::min(1 - resolved * largest / s, kMostRaised * largest / s);
+    const Real k = std::min(1 - resolved * largest / s, kMaxRaise * largest / s);
     I.xx += k * S.xx, I.yy += k * S.yy, I.zz += k * S.zz;
     I.xy += k * S.xy, I.xz += k * S.xz, I.yz += k * S.yz;
     Mat3 inverse;
