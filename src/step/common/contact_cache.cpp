@@ -58,7 +58,7 @@ struct ContactCache::Places {
     unsigned free;
 
     // Mostly there is one within reach, and no more to compare.
-    int nearest(const ContactArms& arms, int i) const  // -1: none
+    int nearest(const ManifoldArms& arms, int i) const  // -1: none
     {
         const Quad dx = x - quad(arms.x[i]), dy = y - quad(arms.y[i]), dz = z - quad(arms.z[i]);
         const Quad distance2 = dx * dx + dy * dy + dz * dz;
@@ -84,7 +84,7 @@ ContactCache::Places ContactCache::places_of(const Pair& pair, std::uint8_t atte
             quad_of(pair.count, [&](int k) { return Real(at[k].place.z); }), free};
 }
 
-ContactCache::ContactArms ContactCache::arms_of(const Body& body1, std::span<const JointManifoldPoint> points)
+ContactCache::ManifoldArms ContactCache::arms_of(const Body& body1, std::span<const JointManifoldPoint> points)
 {
     const int count = int(points.size());
     const Quad x = quad_of(count, [&](int i) { return points[std::size_t(i)].r1.x; }),
@@ -94,7 +94,7 @@ ContactCache::ContactArms ContactCache::arms_of(const Body& body1, std::span<con
     const auto along = [&](Vec3 axis) { return quad(axis.x) * x + quad(axis.y) * y + quad(axis.z) * z; };
     const Quad u = along(R.column(0)), v = along(R.column(1)), w = along(R.column(2));
     const Quad within2 = quad(kReach * kReach) * (u * u + v * v + w * w + quad(kReach * kReach));
-    ContactArms arms;
+    ManifoldArms arms;
     store_quad(arms.x, u), store_quad(arms.y, v), store_quad(arms.z, w);
     store_quad(arms.within2, within2);
     return arms;
@@ -124,7 +124,7 @@ void ContactCache::note(Run& run, const Wanted& wanted, int ticket, int points)
     ++run.count;
 }
 
-void ContactCache::note_points(int ticket, int count, const ContactArms& arms)
+void ContactCache::note_points(int ticket, int count, const ManifoldArms& arms)
 {
     for (int i = 0; i < count; ++i) {
         Point& fresh = fresh_.points.data()[ticket + i];
@@ -142,7 +142,7 @@ void ContactCache::load(int writer, int ticket, const Body& body1, const Body* b
     const std::uint64_t serial1 = body1.serial, serial2 = body2 ? body2->serial : 0;
     Wanted wanted{serial1, serial2, {}, manifold.n};
     note(run, wanted, ticket, int(points.size()));
-    const ContactArms arms = arms_of(body1, points);
+    const ManifoldArms arms = arms_of(body1, points);
     note_points(ticket, int(points.size()), arms);
     if (!(share > 0) || buckets_.empty()) return;
     if (old_.h > 0) share *= h / old_.h;  // forces persist, not impulses

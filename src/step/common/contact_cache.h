@@ -95,16 +95,16 @@ class ContactCache {
     struct Places;
     // Lever arms of the points of one manifold, in the frame of body 1, and the square of the distance within
     // which an old point is accepted as the same.
-    struct ContactArms {
+    struct ManifoldArms {
         Real x[kManifoldPoints], y[kManifoldPoints], z[kManifoldPoints], within2[kManifoldPoints];
         Vec3 place(int i) const { return {x[i], y[i], z[i]}; }
     };
-    static ContactArms arms_of(const Body& body1, std::span<const JointManifoldPoint> points);
+    static ManifoldArms arms_of(const Body& body1, std::span<const JointManifoldPoint> points);
     void note(Run& run, const Wanted& wanted, int ticket, int points);
     bool is_guess(int guess, const Wanted& wanted) const;
     bool fits(const Pair& pair, const Wanted& wanted) const;
     Places places_of(const Pair& pair, std::uint8_t attempt) const;
-    void note_points(int ticket, int count, const ContactArms& arms);
+    void note_points(int ticket, int count, const ManifoldArms& arms);
     void look_into(int pair, const Wanted& wanted, std::uint8_t attempt, Found& best);
     Found find(const Wanted& wanted, Real within2, std::uint8_t attempt);
     [[nodiscard]] bool begin_runs(int writers);
