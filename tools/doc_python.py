@@ -11,7 +11,10 @@ RECIPES = PACKAGE.parent / "recipes"
 # Module: its part of the page. Names that epode/__init__.py lists are shown as epode.NAME.
 MODULES = {"world": "Worlds", "body": "Bodies", "geom": "Geoms", "shapes": "Shapes and materials", "joint": "Joints and drives",
            "recording": "Recordings", "viewer": "Windows: epode.viewer", "plot": "Plots: epode.plot",
-           "robot": "Robots: epode.robot", "batch": "Batches of robots", "vector/environment": "Environments: epode.vector",
+           "robot": "Robots: epode.robot", "description/_description": "Robots that can be edited: epode.description",
+           "description/_starts": "Their start poses", "description/_part": "What their parts share", "description/_links": "Their links and joints",
+           "description/_geoms": "Their shapes", "description/_acting": "What acts on them", "description/_tree": "Their elements of MJCF",
+           "description/_values": "Their lists of parts", "batch": "Batches of robots", "vector/environment": "Environments: epode.vector",
            "vector/task": "Tasks: epode.vector", "sweep/plan": "Plans of sweeps: epode.sweep", "sweep/sweep": "Sweeps: epode.sweep",
            "enums": "Kinds", "errors": "Errors"}
 # A module's classes that have a file of their own.
@@ -87,7 +90,7 @@ def module_part(name, title):
     exported = re.findall(r'"(\w+)"', re.search(r"__all__ = \[(.*?)\]", (PACKAGE / "__init__.py").read_text(encoding="utf-8"), re.S)[1])
     part = f"## {title}\n\n{ast.get_docstring(tree)}\n\n"
     for node in [*(tree_of(DATA[name]).body if name in DATA else []), *tree.body]:
-        prefix = "epode." if getattr(node, "name", None) in exported else f"epode.{name.split('/')[0]}."
+        prefix = "epode." if getattr(node, "name", None) in exported and "description" not in name else f"epode.{name.split('/')[0]}."
         if isinstance(node, ast.ClassDef) and is_public(node.name):
             bases = f"({', '.join(ast.unparse(b) for b in node.bases)})" if node.bases else ""
             part += f"### {prefix}{node.name}{bases}\n\n{ast.get_docstring(node) or ''}\n\n"

@@ -32,6 +32,7 @@ from ._robot_data import (Actuator as Actuator, Link as Link, ModelJoint as Mode
                           Path as Path, Picture as Picture, Sensor as Sensor, Solution as Solution, Target as Target,
                           Touch as Touch)
 from .body import Body
+from .description import Description as Description
 from .errors import DeadHandleError, RefusedError
 from .geom import Geom
 from .joint import Joint, type_of
@@ -104,6 +105,13 @@ class Model:
         self.actuators = [Actuator(*row) for row in model.actuators]
         self.sensors = [Sensor(*row) for row in model.sensors]
         self.starts = model.starts
+
+    def __eq__(self, other: object) -> bool:
+        """Models are equal if MJCF says the same of them."""
+        return self.text("mjcf") == other.text("mjcf") if isinstance(other, Model) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash((self.name, *self.link_names, *self.joint_names))
 
     def __reduce__(self) -> tuple[typing.Any, ...]:
         """Pickles hold the text of the robot's file; files that it includes and meshes are read again, where they were."""
@@ -188,6 +196,10 @@ class Model:
         """Write the model to a file: URDF if it ends in .urdf, MJCF if in .xml or .mjcf. Paths of meshes count from its folder.
         Returns a sentence for each thing that the format cannot say."""
         return self._model.save(os.fspath(path))
+
+    def edit(self) -> Description:
+        """What the model says, to be changed (``epode.description``). Its file is read again, with links that are fixed to others apart."""
+        return Description._of_model(self)
 
     def text(self, format: str, folder: Path = ".") -> tuple[str, list[str]]:
         """What ``save`` would write to a file in a folder, and the sentences. format: "urdf" or "mjcf"."""
