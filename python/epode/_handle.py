@@ -19,6 +19,15 @@ T = TypeVar("T")
 S = TypeVar("S", contravariant=True)
 
 
+def three(value: Any, what: str = "") -> tuple[float, float, float]:
+    """A vector as C takes it, number by number; ``what`` names it in the error."""
+    try:
+        x, y, z = value
+        return float(x), float(y), float(z)
+    except (TypeError, ValueError):
+        raise ValueError(f"{what + ': ' if what else ''}3 numbers are expected, not {value!r}") from None
+
+
 class Object:
     """An object of the engine. After ``destroy`` every call raises DeadHandleError."""
 
@@ -55,10 +64,15 @@ if TYPE_CHECKING:
         def __set__(self, instance: object, value: S) -> None: ...
 else:
     class Value(property):
-        """A property."""
+        """A property. Its functions bear its name, by which errors and tracebacks call them."""
 
         def __class_getitem__(cls, _):
             return cls
+
+        def __set_name__(self, owner, name):
+            for function in (self.fget, self.fset):
+                if function is not None:
+                    function.__code__ = function.__code__.replace(co_name=name, co_qualname=f"{owner.__name__}.{name}")
 
 
 def reads(function: Callable[[Any], T], doc: str) -> Value[T, Never]:
@@ -74,8 +88,7 @@ def reads_and_sets(get: Callable[[Any], T], put: Callable[[Any, S], Any], doc: s
 def vector(get: Callable[[Any], FloatArray], put: Callable[[Any, float, float, float], Any], doc: str) -> Value[FloatArray, ArrayLike]:
     """A property of three numbers, which C takes one by one."""
     def assign(self: Any, value: Any) -> None:
-        x, y, z = value
-        put(self._handle, x, y, z)
+        put(self._handle, *three(value))
     return Value(lambda self: get(self._handle), assign, doc=doc)
 
 

@@ -67,12 +67,25 @@ class Sensor(typing.NamedTuple):
 
 
 class Touch(typing.NamedTuple):
-    """What touches a link: points of contact, the sum of their normal forces, N, the force on the link, N, and the centre
-    of pressure, m, in the world."""
-    points: int
-    normal_force: float
+    """What touches a link: points of contact (an int), the sum of their normal forces, N (a float), the force on the link, N, and
+    the centre of pressure, m, in the world. ``Robots.touch`` has arrays of them."""
+    points: typing.Any
+    normal_force: typing.Any
     force: FloatArray
     centre: FloatArray
+
+
+class RobotContact(typing.NamedTuple):
+    """A point at which a robot touched something in the last step: its link and what that touched (a link's name, or the Geom
+    of something else), the place, m, the normal, which points to the link, by how much they overlap, m, and the forces on the
+    link: along the normal, N, and of friction, N, in the world's axes."""
+    link: str
+    other: typing.Any
+    position: FloatArray
+    normal: FloatArray
+    depth: float
+    normal_force: float
+    friction_force: FloatArray
 
 
 class Picture(typing.NamedTuple):

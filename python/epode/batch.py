@@ -73,16 +73,17 @@ class Batch:
 
     So can what follows from them, under MuJoCo's names, a link's numbers side by side: xpos and xquat of links, cvel and cinert about
     the centre of mass of their tree, com of all; qfrc_actuator in this state; cfrc_ext on links and qfrc_constraint of the last step;
-    sensordata of the sensors that the file names, whose places ``sensors`` has.
-
-    dtype: "float32" or "float64". threads: 0 for as many as the machine has. stepsize: s. erp, max_correction: the share of an
-    overlap that a step takes back, and how fast. reach: surfaces nearer than this are looked at. tolerance: sweeps end when the last
-    one changed no speed by more, m/s; 0: 1e-5 in floats, 1e-6 in doubles. pinned: each thread but the caller's stays on a processor of
-    its own, where the system can."""
+    sensordata of the sensors that the file names, whose places ``sensors`` has."""
 
     def __init__(self, model: Model, copies: int, *, dtype: Literal["float32", "float64"] = "float32", threads: int = 0,
                  stepsize: float = 0.002, erp: float = 0.2, max_correction: float = 2.0, reach: float = 0.005, tolerance: float = 0.0,
                  max_sweeps: int = 200, pinned: bool = False) -> None:
+        """So many copies of a model, at its reference, at rest.
+
+        dtype: "float32" or "float64". threads: 0 for as many as the machine has. stepsize: s. erp, max_correction: the share of an
+        overlap that a step takes back, and how fast, m/s. reach: surfaces nearer than this, m, are looked at. tolerance: sweeps end
+        when the last one changed no speed by more, m/s; 0: 1e-5 in floats, 1e-6 in doubles. max_sweeps: of a step. pinned: each
+        thread but the caller's stays on a processor of its own, where the system can."""
         self.dtype = np.dtype(dtype)
         if self.dtype not in (np.dtype("float32"), np.dtype("float64")):
             raise ValueError(f"float32 or float64 is expected, not {self.dtype}")

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import c
-from ._handle import FloatArray, Object, Value, flag, reads, reads_and_sets, switch, vector
+from ._handle import FloatArray, Object, Value, flag, reads, reads_and_sets, switch, three, vector
 from .errors import RefusedError
 
 if TYPE_CHECKING:
@@ -28,6 +28,7 @@ class Body(Object):
     geoms: list[Geom]
 
     def __init__(self, world: World, handle: c.dBodyID) -> None:
+        """As ``World.body`` does: handle is a body of the world."""
         self.world, self._live, self.geoms = world, handle, []
 
     position = vector(c.dBodyGetPosition, c.dBodySetPosition, "Of the centre of mass, m.")
@@ -60,6 +61,8 @@ class Body(Object):
 
     @mass.setter
     def mass(self, value: float) -> None:
+        if not 0 < value < float("inf"):
+            raise RefusedError(f"mass is {value}; a positive number is expected")
         m = self.mass_properties
         c.dMassAdjust(m, value)
         c.dBodySetMass(self._handle, m)
@@ -100,28 +103,28 @@ class Body(Object):
 
     def add_force(self, force: ArrayLike, *, at: ArrayLike | None = None, relative: bool = False) -> None:
         """Add a force, N, for the next step, at the centre or at a point of the world; relative: in the body's frame."""
-        fx, fy, fz = np.asarray(force, float)
+        fx, fy, fz = three(force, "force")
         if at is not None:
-            x, y, z = np.asarray(at, float)
+            x, y, z = three(at, "at")
             (c.dBodyAddRelForceAtPos if relative else c.dBodyAddForceAtPos)(self._handle, fx, fy, fz, x, y, z)
         else:
             (c.dBodyAddRelForce if relative else c.dBodyAddForce)(self._handle, fx, fy, fz)
 
     def add_torque(self, torque: ArrayLike, *, relative: bool = False) -> None:
         """Add a torque, N m, for the next step; relative: in the body's frame."""
-        (c.dBodyAddRelTorque if relative else c.dBodyAddTorque)(self._handle, *np.asarray(torque, float))
+        (c.dBodyAddRelTorque if relative else c.dBodyAddTorque)(self._handle, *three(torque, "torque"))
 
     def to_world(self, point: ArrayLike) -> FloatArray:
         """Where a point of the body is in the world."""
-        return c.dBodyGetRelPointPos(self._handle, *np.asarray(point, float))
+        return c.dBodyGetRelPointPos(self._handle, *three(point, "point"))
 
     def to_body(self, point: ArrayLike) -> FloatArray:
         """Which point of the body is at a point of the world."""
-        return c.dBodyGetPosRelPoint(self._handle, *np.asarray(point, float))
+        return c.dBodyGetPosRelPoint(self._handle, *three(point, "point"))
 
     def velocity_at(self, point: ArrayLike) -> FloatArray:
         """The velocity of the body at a point of the world, m/s."""
-        return c.dBodyGetPointVel(self._handle, *np.asarray(point, float))
+        return c.dBodyGetPointVel(self._handle, *three(point, "point"))
 
     def add(self, shape: Shape, **settings: Any) -> Geom:
         """Put a shape on the body, as ``World.geom`` does."""
@@ -170,6 +173,7 @@ class Bodies:
     __slots__ = ("_world",)
 
     def __init__(self, world: World) -> None:
+        """As ``World.bodies`` is: all bodies of the world."""
         self._world = world
 
     position = _column("position")
@@ -222,6 +226,7 @@ class BodyGroup(Bodies):
     __slots__ = ("_members", "_handles")
 
     def __init__(self, bodies: Iterable[Body]) -> None:
+        """bodies: a row of the arrays each, in this order."""
         self._members = list(bodies)
         self._handles = c.BodyList([body._handle for body in self._members])
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import c
-from ._handle import FloatArray, Object, flag, reads_and_sets, vector
+from ._handle import FloatArray, Object, flag, reads_and_sets, three, vector
 from .shapes import Material, Shape
 
 if TYPE_CHECKING:
@@ -23,6 +23,7 @@ class Geom(Object):
     __slots__ = ("shape", "body", "_key")
 
     def __init__(self, world: World, handle: c.dGeomID, shape: Shape, body: Body | None) -> None:
+        """As ``World.geom`` does: handle is a geom in the world, of the shape, on the body."""
         self.world, self._live, self.shape, self.body, self._key = world, handle, shape, body, handle.id
 
     position = vector(c.dGeomGetPosition, c.dGeomSetPosition, "In the world, m. Setting it moves the body, if there is one.")
@@ -40,7 +41,7 @@ class Geom(Object):
 
     @offset.setter
     def offset(self, value: ArrayLike) -> None:
-        c.dGeomSetOffsetPosition(self._handle, *np.asarray(value, float))
+        c.dGeomSetOffsetPosition(self._handle, *three(value, "offset"))
 
     @property
     def aabb(self) -> FloatArray:

@@ -7,11 +7,10 @@ import dataclasses
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from . import c
-from ._handle import FloatArray, Object, Value, switch
+from ._handle import FloatArray, Object, Value, switch, three
 
 if TYPE_CHECKING:
     from .body import Body
@@ -60,7 +59,7 @@ def _place(name: str) -> Value[FloatArray, ArrayLike]:
         if self.type == "hinge2" and suffix.startswith("Axis"):
             c.dJointSetHinge2Axes(self._handle, *((value, None) if suffix == "Axis1" else (None, value)))
         else:
-            function(self._handle, *np.asarray(value, float))
+            function(self._handle, *three(value, name))
     kind = "A point" if name.startswith("anchor") else "A direction"
     return Value(get, put, doc=f"{kind} of the joint, in the world's frame, if its type has it.")
 
@@ -71,6 +70,7 @@ class Joint(Object):
     __slots__ = ("type", "body1", "body2")
 
     def __init__(self, world: World, handle: c.dJointID, kind: str, body1: Body | None, body2: Body | None) -> None:
+        """As ``World.joint`` does: handle is a joint of the world, of that kind, between body1 and body2 (None: the world)."""
         self.world, self._live, self.type, self.body1, self.body2 = world, handle, kind, body1, body2
 
     anchor, anchor1, anchor2 = _place("anchor"), _place("anchor1"), _place("anchor2")
@@ -93,12 +93,14 @@ class Joint(Object):
 
     @property
     def stops(self) -> tuple[float, float]:
-        """Lowest and highest position of the first axis, m or rad; infinite: none."""
+        """Lowest and highest position of the first axis, m or rad; infinite: none. Setting None takes both away."""
         return self.parameter("lo_stop"), self.parameter("hi_stop")
 
     @stops.setter
-    def stops(self, value: tuple[float, float]) -> None:
-        low, high = value
+    def stops(self, value: tuple[float, float] | None) -> None:
+        low, high = (-float("inf"), float("inf")) if value is None else value
+        if not low <= high:
+            raise ValueError(f"stops ({low}, {high}): the lowest position first, or None")
         # The new range is never empty on the way, which would turn the stops off.
         self.set_parameter("lo_stop", -float("inf"))
         self.set_parameter("hi_stop", high)
@@ -106,6 +108,8 @@ class Joint(Object):
 
     def motor(self, velocity: float, max_force: float, axis: int = 0) -> None:
         """Drive an axis at a velocity, m/s or rad/s, with at most that force, N or N m; max_force 0: no motor."""
+        if not max_force >= 0:
+            raise ValueError(f"max_force is {max_force}; 0 or more is expected")
         self.set_parameter("velocity", velocity, axis)
         self.set_parameter("max_force", max_force, axis)
 
@@ -204,3 +208,6 @@ def _number(name: str, axis: int) -> int:
         raise ValueError(f"axis {axis}: 0, 1 or 2 expected")
     first: int = getattr(c, "dParam" + _PARAMETERS[name])
     return first + axis * c.dParamGroup
+
+
+SETTINGS = [name for name, one in vars(Joint).items() if isinstance(one, property) and one.fset is not None]  # of World.joint

@@ -56,6 +56,8 @@ class Recording:
     browser) or .csv. In a notebook a recording shows itself as that page."""
 
     def __init__(self, world: World | None = None, title: str = "") -> None:
+        """A recording of the world as it is now; ``World.record`` goes on with each step. title: what the page is called. Without a
+        world it is empty."""
         self._data = _c.WorldRecording()
         self._world = weakref.ref(world) if world is not None else None
         self._known: dict[Any, Any] = {}

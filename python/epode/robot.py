@@ -20,16 +20,16 @@ from __future__ import annotations
 
 import os
 import typing
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _c, c
 from ._handle import FloatArray, Value
-from ._poses import _moved, _number, _product
+from ._poses import _moved, _number, _product, _turned, _unknown, _vector
 from ._robot_data import (Actuator as Actuator, Link as Link, ModelJoint as ModelJoint, Note as Note, Options as Options,
-                          Path as Path, Picture as Picture, Sensor as Sensor, Solution as Solution, Target as Target,
+                          Path as Path, Picture as Picture, RobotContact as RobotContact, Sensor as Sensor, Solution as Solution, Target as Target,
                           Touch as Touch)
 from .body import Body
 from .description import Description as Description
@@ -37,7 +37,7 @@ from .errors import DeadHandleError, RefusedError
 from .geom import Geom
 from .joint import Joint, type_of
 from .shapes import Shape
-from .world import World
+from .world import World, step_worlds
 
 if typing.TYPE_CHECKING:
     from ._c import _Robot, _RobotModel
@@ -91,6 +91,7 @@ class Model:
     """What a file says, as data. Frames are links, and merged links and sites, by name."""
 
     def __init__(self, model: _RobotModel, source: tuple[str, str | None, Options]) -> None:
+        """As ``load`` and ``from_text`` do: model is what the library has read, source the path, the text, and the options."""
         self._model, self._source = model, source
         self.report = [Note(*line) for line in model.report]
         errors = [note for note in self.report if note.kind == "error"]
@@ -98,7 +99,8 @@ class Model:
             more = f" (and {len(errors) - 1} more: epode.robot.check)" if len(errors) > 1 else ""
             if "libsdformat" in errors[0].text:
                 more = "; wheels do not read SDF, pip install ./python -C cmake.define.EPODE_SDF=ON from a clone does"
-            raise RefusedError(f"{errors[0].file}:{errors[0].line}: {errors[0].text}{more}")
+            place = f"{errors[0].file}:{errors[0].line}: " if errors[0].line else ""
+            raise RefusedError(f"{place}{errors[0].text}{more}")
         self.name, self.format = model.name, model.format
         self.links = [Link(*row) for row in model.links]
         self.joints = [ModelJoint(*row) for row in model.joints]
@@ -189,7 +191,7 @@ class Model:
     def _frame(self, name: str) -> tuple[int, FloatArray]:
         found = self._model.frame(name)
         if found is None:
-            raise KeyError(f"no link or frame is called {name!r}")
+            raise KeyError(_unknown(name, self.frame_names, "link or frame"))
         return found
 
     def save(self, path: Path) -> list[str]:
@@ -269,6 +271,8 @@ class Model:
         guess: where the search begins; without it at the reference. weights: of velocities, 0: it stays, 2: it moves rather
         than one of 1. posture: positions to be near where the targets leave a choice."""
         targets = [Target(target, position, quaternion, point)] if isinstance(target, str) else list(target)
+        if not targets or any(one.position is None and one.quaternion is None for one in targets):
+            raise ValueError("a position, a quaternion, or both are expected for each target")
         answer = self._model.inverse(self.reference if guess is None else guess, [self._goal(t) for t in targets], weights,
                                      posture, max_iterations, max_starts, tolerance)
         return Solution(*answer)
@@ -276,8 +280,8 @@ class Model:
     def _goal(self, target: Target) -> tuple[int, FloatArray, FloatArray, float, float]:
         link, local = self._frame(target.frame)
         frame = np.concatenate([_moved(local, target.point), local[3:]])
-        pose = np.concatenate([np.zeros(3) if target.position is None else np.asarray(target.position, float),
-                               [1.0, 0, 0, 0] if target.quaternion is None else np.asarray(target.quaternion, float)])
+        pose = np.concatenate([np.zeros(3) if target.position is None else _vector(target.position, 3, "position"),
+                               [1.0, 0, 0, 0] if target.quaternion is None else _vector(target.quaternion, 4, "quaternion")])
         return (link, frame, pose, 0.0 if target.position is None else float(target.position_weight),
                 0.0 if target.quaternion is None else float(target.orientation_weight))
 
@@ -287,9 +291,15 @@ class Model:
               start: str | ArrayLike | None = None) -> Robot:
         """A robot in a world; without one in a new world with the file's gravity. position and quaternion place the model's
         world in it. start: positions, or the name of a start pose of the file; without it, the first, or the reference."""
+        pose = np.concatenate([_vector(position, 3, "position"), _vector(quaternion, 4, "quaternion")])
+        if isinstance(start, str):
+            if start not in self.starts:
+                raise KeyError(_unknown(start, list(self.starts), "start pose"))
+        elif start is not None:
+            start = _vector(start, self.position_count, "start")
         if world is None:
             world = World(gravity=self.gravity)
-        robot = Robot(self, world, np.concatenate([np.asarray(position, float), np.asarray(quaternion, float)]))
+        robot = Robot(self, world, pose)
         if start is None:
             start = next(iter(self.starts), None)
         if isinstance(start, str):
@@ -306,6 +316,7 @@ class Mocap(Mapping[str, tuple[FloatArray, FloatArray]]):
     one there in the world, at once and for good; reading gives both."""
 
     def __init__(self, robot: Robot) -> None:
+        """As ``Robot.mocap`` is: the links of this robot."""
         self._robot = robot
 
     def __len__(self) -> int:
@@ -317,7 +328,7 @@ class Mocap(Mapping[str, tuple[FloatArray, FloatArray]]):
     def _link(self, name: str) -> int:
         model = self._robot.model
         if name not in model.mocap_names:
-            raise KeyError(f"no link that the program moves is called {name!r}: {', '.join(model.mocap_names) or 'there is none'}")
+            raise KeyError(_unknown(name, model.mocap_names, "link that the program moves"))
         return model._model.mocap[model.mocap_names.index(name)]
 
     def __getitem__(self, name: str) -> tuple[FloatArray, FloatArray]:
@@ -336,15 +347,23 @@ class Mocap(Mapping[str, tuple[FloatArray, FloatArray]]):
 
 class Robot:
     """A robot in a world, made by ``Model.build``. Its bodies, joints and geoms are the world's like all others; destroy
-    them all at once."""
+    them all at once. In a notebook it shows itself: a picture, its joints and controls."""
+
+    __slots__ = ("model", "world", "mocap", "_robot", "_seen", "_bodies", "_joints", "_geoms", "_acts", "_pushed", "_senses", "_measured",
+                 "__weakref__")
 
     def __init__(self, model: Model, world: World, pose: FloatArray) -> None:
+        """As ``Model.build`` does. pose: of the model's world in the world, position and quaternion."""
         self.model, self.world = model, world
         self._robot: _Robot | None = model._model.build(world._handle, world._space_handle, pose)
         self._seen = -1  # the world's edition when all of it was alive
         world._robots.append(self)
         self._add_all(self._robot)
         self.mocap = Mocap(self)
+        self._begin_steps()
+        for sensor in model.sensors:
+            if sensor.kind in ("force", "torque"):
+                self._robot.watch_force(model._frame(sensor.object)[0], True)
 
     def _places(self) -> tuple[list[int], list[int], list[int]]:
         """Where its bodies, joints and geoms are among its world's."""
@@ -364,6 +383,7 @@ class Robot:
                                         [one._handle for one in geoms])
         self._bodies, self._joints = {b._handle: b for b in bodies}, {j._handle: j for j in joints}
         self._geoms, self._seen, self.mocap = geoms, -1, Mocap(self)
+        self._begin_steps()
         world._robots.append(self)
         return self
 
@@ -477,14 +497,18 @@ class Robot:
         self._live.set_target(self._joint_number(joint), float(target), float(stiffness), float(damping))
 
     def add_fluid_forces(self, h: float) -> int:
-        """Add what the medium of an MJCF file exerts to the forces on the bodies: call it before every step, with its size.
-        Returns how many links of the file they act on: 0 without a medium."""
-        return self._live.add_fluid_forces(h)
+        """Add what the medium of an MJCF file alone exerts to the forces on the bodies, in place of all that ``World.step`` would
+        add. Returns how many links of the file they act on: 0 without a medium."""
+        count = self._live.add_fluid_forces(h)
+        self._pushed = True
+        return count
 
     def add_forces(self, h: float) -> int:
         """Add all that acts only from step to step: spatial tendons, the medium, and filters of actuators, which it moves on.
-        Call it before every step, with its size. Returns how many filters, tendons and links it acts on."""
-        return self._live.add_forces(h)
+        ``World.step`` does it before each step, unless the program has. Returns how many filters, tendons and links it acts on."""
+        count = self._live.add_forces(h)
+        self._pushed = True
+        return count
 
     @property
     def activations(self) -> FloatArray:
@@ -511,12 +535,106 @@ class Robot:
     def pose(self, frame: str) -> tuple[FloatArray, FloatArray]:
         """The position and the quaternion, in the world, of a link, merged link or site, by name."""
         link, local = self.model._frame(frame)
-        body = self._live.body(link)
-        if body is None:
-            raise KeyError(f"{frame!r} is fixed in the world: Model.pose knows where")
-        turn = c.dBodyGetQuaternion(body)
-        origin = c.dBodyGetRelPointPos(body, *(-self.model.links[link].centre))
-        return _moved(np.concatenate([origin, turn]), local[:3]), _product(turn, local[3:])
+        its = self._live.link_pose(link)
+        return _moved(its, local[:3]), _product(its[3:], local[3:])
+
+    @property
+    def poses(self) -> FloatArray:
+        """The poses of all links in the world, an (n, 7) array of position and quaternion each, as ``Model.fk`` has them."""
+        live = self._live
+        return np.array([live.link_pose(link) for link in range(len(self.model.links))])
+
+    # ---- dynamics, here and now ----
+
+    def jacobian(self, frame: str, point: ArrayLike = (0, 0, 0)) -> FloatArray:
+        """6 x velocity_count: what the velocities make of a point of a frame where the robot is, linear then angular, in the
+        world's axes."""
+        turn = np.kron(np.eye(2), _turned(self._live.placement[3:]))
+        return np.asarray(turn @ self.model.jacobian(frame, self.positions, point), float)
+
+    def mass_matrix(self) -> FloatArray:
+        """``Model.mass_matrix`` at the robot's positions."""
+        return self.model.mass_matrix(self.positions)
+
+    def bias_forces(self) -> FloatArray:
+        """Gravity, Coriolis and centrifugal forces along the velocities at the robot's positions and velocities: what holds
+        against them (MuJoCo's qfrc_bias). Gravity is the file's, in the model's axes."""
+        return self.model.inverse_dynamics(self.positions, self.velocities)
+
+    def apply(self, forces: ArrayLike) -> None:
+        """Add forces along the velocities for the next step, one for each: N m or N of hinges and sliders, N m in the link's axes of
+        balls, and of free joints N at the link's origin in the world's axes, then N m in the link's. They need no actuators."""
+        wanted = _vector(forces, self.model.velocity_count, "forces")
+        live, turn = self._live, _turned(self._live.placement[3:])
+        for number, joint in enumerate(self.model.joints):
+            handle, first = live.joint(number), joint.velocity
+            if joint.kind in ("hinge", "slide"):
+                assert handle is not None
+                (c.dJointAddHingeTorque if joint.kind == "hinge" else c.dJointAddSliderForce)(handle, float(wanted[first]))
+                continue
+            body = live.body(joint.link)
+            assert body is not None
+            if joint.kind == "free":
+                origin = live.link_pose(joint.link)[:3]
+                c.dBodyAddForceAtPos(body, *(turn @ wanted[first:first + 3]), *origin)
+                first += 3
+            torque = wanted[first:first + 3]
+            c.dBodyAddRelTorque(body, *torque)
+            parent = live.body(self.model.links[joint.link].parent)
+            if joint.kind == "ball" and parent is not None:
+                c.dBodyAddTorque(parent, *(-_turned(c.dBodyGetQuaternion(body)) @ torque))
+
+    def contacts(self, link: str | None = None) -> list[RobotContact]:
+        """The points at which the robot, or one of its links, touched something in the last step. A touch of two of its links is
+        there twice, once for each."""
+        wanted = None if link is None else self._live.body(self.model._frame(link)[0])
+        names = {handle: self.model.links[i].name for i in range(len(self.model.links)) if (handle := self._live.body(i)) is not None}
+        mine = {geom._key: None if geom.body is None else geom.body._handle for geom in self._geoms}
+        out = []
+        for row in self.world.contacts:
+            for me, other, sign in ((int(row["g1"]), int(row["g2"]), 1.0), (int(row["g2"]), int(row["g1"]), -1.0)):
+                body = mine.get(me)
+                if body is None or (link is not None and body != wanted):
+                    continue
+                touched = names.get(mine[other]) if mine.get(other) is not None else None
+                out.append(RobotContact(names.get(body, ""), self.world.geom_of(other) if touched is None else touched,
+                                        row["pos"].copy(), sign * row["normal"], float(row["depth"]), float(row["normal_force"]),
+                                        sign * row["friction_force"]))
+        return out
+
+    def _repr_html_(self) -> str:
+        from ._robot_page import page
+        return page(self)
+
+    # ---- what steps do with it ----
+
+    def _begin_steps(self) -> None:
+        self._acts: bool | None = None  # whether anything acts from step to step; None: no step has told yet
+        self._pushed = False  # by the program, since the last step
+        self._senses = any(sensor.kind in ("accelerometer", "gyro") for sensor in self.model.sensors)
+        self._measured = False  # after the last step
+
+    @property
+    def _is_acting(self) -> bool:
+        return self._acts is not False and self.alive
+
+    @property
+    def _is_sensing(self) -> bool:
+        return self._senses and self.alive
+
+    def _act(self, h: float) -> None:
+        """Before a step: add what acts from step to step, unless the program has."""
+        if not 0 < h < np.inf:
+            return  # the step will say so
+        if not self._pushed:
+            acts = self._live.add_forces(h) > 0
+            self._acts = self._acts or acts or bool(self.model.tendon_names)  # tendons may rest
+        self._pushed = False
+
+    def _sense(self, h: float) -> None:
+        """After a step: note how all bodies move."""
+        self._live.update_sensors(h)
+        self._measured = True
 
     # ---- sensors ----
 
@@ -529,18 +647,27 @@ class Robot:
         return link, np.concatenate([_moved(local, its[:3]), _product(local[3:], its[3:])])
 
     def update_sensors(self, h: float) -> None:
-        """Note how all bodies move, for ``imu``: call it after every step, with its size."""
-        self._live.update_sensors(h)
+        """Note how all bodies move, for ``imu``, after a step of size h. ``World.step`` does it; it is needed where other functions
+        have moved the world."""
+        if not 0 < h < np.inf:
+            raise ValueError(f"a step size must be positive, not {h}")
+        if not self._measured:
+            self._live.update_sensors(h)
+        self._measured = False
 
     @property
     def drive_forces(self) -> FloatArray:
         """What springs, dampers and actuators have exerted in the last step: a number, N or N m, for each velocity."""
-        return self._live.drive_forces()
+        return self._live.drive_forces() if self.model.joints else np.zeros(0)
 
     def imu(self, frame: str, pose: ArrayLike | None = None) -> tuple[FloatArray, FloatArray]:
         """The specific force, m/s^2 (at rest 9.81 upwards), and the angular velocity, rad/s, at a frame, in its axes. pose:
-        the sensor's in the frame, position and quaternion."""
-        return self._live.imu(*self._at(frame, pose))
+        the sensor's in the frame, position and quaternion. The force is that of the last step."""
+        self._senses = True
+        try:
+            return self._live.imu(*self._at(frame, pose))
+        except ValueError:
+            raise RefusedError("no step has been measured yet: read accelerations after World.step") from None
 
     def watch_force(self, link: str, on: bool = True) -> None:
         """Let steps write down what the joint between a link and its parent bears, for ``force_torque``."""
@@ -571,7 +698,25 @@ class Robot:
     def sensor(self, sensor: str | int) -> FloatArray:
         """Read a sensor that the file names, by name or number."""
         number = _number(sensor, [s.name for s in self.model.sensors], "sensor")
-        return self._live.read_sensor(number, self.world._space_handle)
+        try:
+            return self._live.read_sensor(number, self.world._space_handle)
+        except ValueError as problem:
+            if "dRobotUpdateSensors" not in str(problem):
+                raise RefusedError(f"sensor {sensor!r}, a {self.model.sensors[number].kind}, {problem}") from None
+            self._senses = True
+            raise RefusedError(f"sensor {sensor!r} is of the last step, and none has been measured yet: read it after World.step") from None
+
+    @property
+    def sensors(self) -> dict[str | int, FloatArray]:
+        """What the sensors of the file read, by name, or number if they have none; without those that are not computed, or of
+        which no step has been measured yet."""
+        out: dict[str | int, FloatArray] = {}
+        for number, sensor in enumerate(self.model.sensors):
+            try:
+                out[sensor.name or number] = self.sensor(number)
+            except RefusedError:
+                pass
+        return out
 
     def destroy(self) -> None:
         """Destroy the robot's bodies, joints and geoms."""
@@ -598,9 +743,12 @@ class Robot:
 
 class Robots:
     """Robots of one model, each in a world of its own or several in one, with arrays that have a row for each: one call
-    reads or sets all. ``epode.step_worlds`` steps their ``worlds`` together."""
+    reads or sets all."""
+
+    __slots__ = ("model", "_robots", "__weakref__")
 
     def __init__(self, robots: Iterable[Robot]) -> None:
+        """robots: at least one, all of one model: ``Robots(model.build() for _ in range(100))``."""
         self._robots = list(robots)
         if not self._robots:
             raise ValueError("at least one robot is expected")
@@ -635,9 +783,66 @@ class Robots:
         lambda self, value: _c._set_many_velocities(self._live, self._rows(value, self.model.velocity_count)),
         doc="A row of ``Robot.velocities`` for each robot.")
 
+    controls: Value[FloatArray, ArrayLike] = Value(
+        lambda self: self._each(lambda robot: robot.controls),
+        lambda self, value: _c._set_many_controls(self._live, self._rows(value, len(self.model.actuators))),
+        doc="A row of ``Robot.controls`` for each robot.")
+
     def control(self, values: ArrayLike) -> None:
         """Set the controls of all actuators: a row for each robot, or one for all."""
-        _c._set_many_controls(self._live, self._rows(values, len(self.model.actuators)))
+        self.controls = values
+
+    def step(self, h: float, *, steps: int = 1, stepper: str = "exact", threads: int = 0) -> None:
+        """Advance all worlds, each on a thread of its own (``epode.step_worlds``)."""
+        step_worlds(self.worlds, h, stepper=stepper, steps=steps, threads=threads)
+
+    def _each(self, read: Callable[[Robot], ArrayLike]) -> FloatArray:
+        return np.stack([np.asarray(read(robot), float) for robot in self._robots])
+
+    @property
+    def forces(self) -> FloatArray:
+        """A row of ``Robot.drive_forces`` for each robot."""
+        return self._each(lambda robot: robot.drive_forces)
+
+    @property
+    def poses(self) -> FloatArray:
+        """``Robot.poses`` of each robot: (robots, links, 7)."""
+        return self._each(lambda robot: robot.poses)
+
+    def pose(self, frame: str) -> tuple[FloatArray, FloatArray]:
+        """Positions (robots, 3) and quaternions (robots, 4) of a frame in its world."""
+        rows = self._each(lambda robot: np.concatenate(robot.pose(frame)))
+        return rows[:, :3], rows[:, 3:]
+
+    def jacobians(self, frame: str, point: ArrayLike = (0, 0, 0)) -> FloatArray:
+        """``Robot.jacobian`` of each robot: (robots, 6, velocities)."""
+        return self._each(lambda robot: robot.jacobian(frame, point))
+
+    @property
+    def sensors(self) -> dict[str | int, FloatArray]:
+        """``Robot.sensors`` with a row for each robot."""
+        read = [robot.sensors for robot in self._robots]
+        return {name: np.stack([one[name] for one in read]) for name in read[0] if all(name in one for one in read)}
+
+    def sensor(self, sensor: str | int) -> FloatArray:
+        """``Robot.sensor`` with a row for each robot."""
+        return self._each(lambda robot: robot.sensor(sensor))
+
+    def touch(self, link: str) -> Touch:
+        """``Robot.touch`` of each robot: a ``Touch`` of arrays with a row for each."""
+        points, normal, force, centre = zip(*(robot.touch(link) for robot in self._robots))
+        return Touch(np.array(points), np.array(normal), np.array(force), np.array(centre))
+
+    def contacts(self, link: str | None = None) -> list[list[RobotContact]]:
+        """``Robot.contacts`` of each robot."""
+        return [robot.contacts(link) for robot in self._robots]
+
+    def rays(self, frame: str, directions: ArrayLike, max_distance: float = np.inf, pose: ArrayLike | None = None) -> FloatArray:
+        """``Robot.rays`` of each robot: (robots, rays)."""
+        return self._each(lambda robot: robot.rays(frame, directions, max_distance, pose))
 
     def _rows(self, value: ArrayLike, width: int) -> FloatArray:
-        return np.broadcast_to(np.asarray(value, float), (len(self), width))
+        array = np.asarray(value, float)
+        if array.shape not in ((width,), (len(self), width)):
+            raise ValueError(f"an array ({len(self)}, {width}) or a row of {width} is expected, not {array.shape}")
+        return np.broadcast_to(array, (len(self), width))

@@ -56,6 +56,7 @@ class Window:
     the mouse and the keys; call it about 60 times a second from the thread that made the window."""
 
     def __init__(self, subject: World | Recording, *, width: int = 1280, height: int = 720, title: str | None = None) -> None:
+        """Open a window. subject: a world, or a recording to play. width, height: in pixels. title: of the window."""
         self._window: Any = None
         self._painter: Any = None
         self._subject = subject

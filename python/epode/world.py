@@ -15,14 +15,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _c, c
-from ._handle import FloatArray, Object, Value, flag, reads_and_sets
+from ._handle import FloatArray, Object, Value, flag, reads_and_sets, three
 from ._robot_states import joined, numbers_of, set_numbers, split
 from ._structure import Description, Past, Structure
 from .body import Bodies, Body
 from .enums import Behaviour, CauseKind, Severity
 from .errors import RefusedError
 from .geom import Geom
-from .joint import TYPES, Joint
+from .joint import SETTINGS, TYPES, Joint
 from .recording import Recording
 from .shapes import Material, Plane, Shape
 
@@ -83,11 +83,8 @@ def load_world(path: str | os.PathLike[str]) -> World:
 
 
 class World(Object):
-    """A world of bodies, joints and geoms, which finds its contacts by itself.
-
-    gravity: m/s^2. contacts: whether steps find and solve contacts; False leaves them to ``collide``. threads: of a
-    step, 0 for one on each processor. defaults: "game" or "robot", see ``use_defaults``. At the end of a ``with`` block
-    the world is destroyed; it is destroyed too when nothing refers to it, or to anything in it, any more."""
+    """A world of bodies, joints and geoms, which finds its contacts by itself. At the end of a ``with`` block it is destroyed; it is
+    destroyed too when nothing refers to it, or to anything in it, any more."""
 
     __slots__ = ("_bodies", "_joints", "_geoms", "_space", "_body_list", "bodies", "_group", "_past", "_edition", "_recording", "stepper", "_robots")
     _bodies: dict[c.dBodyID, Body]
@@ -103,6 +100,11 @@ class World(Object):
 
     def __init__(self, *, gravity: ArrayLike = (0, 0, -9.81), contacts: bool = True, threads: int | None = None,
                  space: str = "hash", defaults: str = "ode") -> None:
+        """A new, empty world.
+
+        gravity: m/s^2. contacts: whether steps find and solve contacts; False leaves them to ``collide``. threads: of a step, 0 for
+        one on each processor, None: as ``defaults`` say. space: "hash", or "simple" for a handful of geoms. defaults: "game" or
+        "robot" for parameters of steps that suit these (``use_defaults``), "ode" for ODE's."""
         self._live = None
         if space not in _SPACES:
             raise ValueError(f"no space is called {space!r}: {', '.join(_SPACES)}")
@@ -161,7 +163,7 @@ class World(Object):
 
     @gravity.setter
     def gravity(self, value: ArrayLike) -> None:
-        c.dWorldSetGravity(self._handle, *np.asarray(value, float))
+        c.dWorldSetGravity(self._handle, *three(value, "gravity"))
 
     def use_defaults(self, preset: str) -> None:
         """Give all parameters of steps the values for a purpose: "game", "robot", or "ode" (those of a new world), and
@@ -221,6 +223,9 @@ class World(Object):
 
     @staticmethod
     def _set_mass(body: Body, geom: Geom | None, mass: float | None, density: float | None, inertia: ArrayLike | None) -> None:
+        for name, value in (("mass", mass), ("density", density)):
+            if value is not None and not 0 < value < float("inf"):
+                raise RefusedError(f"{name} is {value}; a positive number is expected")
         if geom is None or inertia is not None:
             m = c.dMass()
             i = np.asarray(np.eye(3) if inertia is None else inertia, float)
@@ -237,6 +242,8 @@ class World(Object):
              quaternion: ArrayLike | None = None, offset: ArrayLike | None = None, material: Material | None = None) -> Geom:
         """A new geom of a shape: on a body, or fixed in the world at a position."""
         self._handle
+        if not isinstance(shape, Shape):
+            raise TypeError(f"a shape such as epode.Box(1, 1, 1) is expected, not {shape!r}")
         if body is not None and body.world is not self:
             raise RefusedError("the body is in another world")
         geom = Geom(self, shape._create(self._space), shape, body)
@@ -277,8 +284,8 @@ class World(Object):
             if type == "fixed":
                 joint.fix()
             for name, value in settings.items():
-                if not hasattr(Joint, name):
-                    raise TypeError(f"joints have no {name}")
+                if not isinstance(getattr(Joint, name, None), property):
+                    raise TypeError(f"joints have no {name}: {', '.join(SETTINGS)}")
                 setattr(joint, name, value)
         except BaseException:
             joint.destroy()
@@ -325,20 +332,24 @@ class World(Object):
     def step(self, h: float, *, stepper: str | None = None, steps: int = 1) -> None:
         """Advance by steps steps of h seconds: ``exact``, ``quick`` or ``hybrid``; None: as ``self.stepper`` says, which
         is "exact" until ``use_defaults`` or the program sets it. Other threads of Python run meanwhile;
-        they may use other worlds."""
+        they may use other worlds. What acts on robots from step to step (tendons, muscles, filters, a medium) acts, and what their
+        sensors measure is measured."""
         stepper = self.stepper if stepper is None else stepper
         take = _STEPS.get(stepper)
         if take is None:
             raise ValueError(f"no stepper is called {stepper!r}: {', '.join(_STEPS)}")
         if steps < 0:
             raise ValueError(f"steps is {steps}; 0 or more are expected")
-        handle = self._handle
+        handle, acting = self._handle, [robot for robot in self._robots if robot._is_acting]
+        sensing = [robot for robot in self._robots if robot.alive]
         for _ in range(steps):
-            if self._recording is None:
-                take(handle, h)
-            else:
-                begin = time.perf_counter()
-                take(handle, h)
+            for robot in acting:
+                robot._act(h)
+            begin = time.perf_counter() if self._recording is not None else 0.0
+            take(handle, h)
+            for robot in sensing:
+                robot._sense(h)
+            if self._recording is not None:
                 self._recording._take(h, 1000 * (time.perf_counter() - begin))
             if self._past is not None:
                 self._remember(1)
@@ -635,7 +646,18 @@ def step_worlds(worlds: Sequence[World], h: float, *, stepper: str = "hybrid", s
     exact, quick, substeps or substeps_exact_joints. Returns how many steps each has made."""
     if stepper not in _STEPPERS:
         raise ValueError(f"no stepper is called {stepper!r}: {', '.join(_STEPPERS)}")
-    made = c.dWorldsStep([w._handle for w in worlds], h, _STEPPERS[stepper], substeps, steps, threads)
+    if steps < 0:
+        raise ValueError(f"steps is {steps}; 0 or more are expected")
+    acting = [robot for world in worlds for robot in world._robots if robot._is_acting]
+    sensing = [robot for world in worlds for robot in world._robots if robot._is_sensing]
+    made, handles = [0] * len(worlds), [w._handle for w in worlds]
+    for count in [1] * steps if acting or sensing else [steps]:  # what acts on such robots is taken before each step
+        for robot in acting:
+            robot._act(h)
+        done = c.dWorldsStep(handles, h, _STEPPERS[stepper], substeps, count, threads)
+        for robot in sensing:
+            robot._sense(h)
+        made = [was + more for was, more in zip(made, done)]
     for world, count in zip(worlds, made):
         if world._recording is not None:
             world._recording._take(h * count, 0.0)

@@ -304,10 +304,10 @@ def test_objects_of_another_world_are_refused(world):
             world.geom(epode.Sphere(1), body=other.body())
 
 
-def test_refusals_have_the_text_of_the_library(world):
-    with pytest.raises(epode.RefusedError, match="dWorldStep"):
+def test_refusals_name_the_call_and_change_nothing(world):
+    with pytest.raises(epode.RefusedError, match=r"^World.step\(h=-1, .*stepsize not positive"):
         world.step(-1)
-    with pytest.raises(epode.RefusedError, match="dWorldSetGravity"):
+    with pytest.raises(epode.RefusedError, match=r"^World.gravity = \(0, nan, 0\): "):
         world.gravity = (0, float("nan"), 0)
     with pytest.raises(ValueError, match="stepper"):
         world.step(0.1, stepper="fast")
