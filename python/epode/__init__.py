@@ -29,7 +29,7 @@ from .world import Cause, World, defaults_text, load_world, step_worlds
 if TYPE_CHECKING:
     from . import robot, sweep, vector
     from .batch import Batch
-    from .robot import load
+    from .robot import Model as Model, Robot as Robot, Robots as Robots, load
 
 __version__ = "0.1.0"
 __all__ = ["Batch", "Behaviour", "Body", "BodyGroup", "Box", "BusyError", "Capsule", "Cause", "CauseKind", "CombineRule", "Cone",
@@ -40,12 +40,12 @@ __all__ = ["Batch", "Behaviour", "Body", "BodyGroup", "Box", "BusyError", "Capsu
 
 
 def __getattr__(name: str) -> Any:
-    """epode.robot, epode.load, epode.Batch, epode.vector and epode.sweep are imported when they are used first: the rest does not wait
+    """epode.robot, epode.load, epode.Model, epode.Robot, epode.Robots, epode.Batch, epode.vector and epode.sweep are imported when they are used first: the rest does not wait
     for them."""
-    if name in ("robot", "load"):
+    if name in ("robot", "load", "Model", "Robot", "Robots"):
         import importlib
         robot = importlib.import_module(".robot", __name__)
-        globals().update(robot=robot, load=robot.load)
+        globals().update(robot=robot, load=robot.load, Model=robot.Model, Robot=robot.Robot, Robots=robot.Robots)
         return globals()[name]
     if name == "Batch":
         from .batch import Batch

@@ -558,8 +558,14 @@ class Robot:
 
     def bias_forces(self) -> FloatArray:
         """Gravity, Coriolis and centrifugal forces along the velocities at the robot's positions and velocities: what holds
-        against them (MuJoCo's qfrc_bias). Gravity is the file's, in the model's axes."""
-        return self.model.inverse_dynamics(self.positions, self.velocities)
+        against them (MuJoCo's qfrc_bias). Gravity is the world's, wherever the robot stands."""
+        model, positions = self.model, self.positions
+        out = model.inverse_dynamics(positions, self.velocities)
+        other = model.gravity - _turned(self._live.placement[3:]).T @ self.world.gravity
+        if np.any(other):
+            for number, link in enumerate(model.links[1:], 1):
+                out = out + link.mass * model._model.jacobian(positions, number, link.centre)[:3].T @ other
+        return np.asarray(out, float)
 
     def apply(self, forces: ArrayLike) -> None:
         """Add forces along the velocities for the next step, one for each: N m or N of hinges and sliders, N m in the link's axes of
@@ -594,9 +600,10 @@ class Robot:
         for row in self.world.contacts:
             for me, other, sign in ((int(row["g1"]), int(row["g2"]), 1.0), (int(row["g2"]), int(row["g1"]), -1.0)):
                 body = mine.get(me)
-                if body is None or (link is not None and body != wanted):
+                if body is None or (link is not None and (wanted is None or body != wanted)):
                     continue
-                touched = names.get(mine[other]) if mine.get(other) is not None else None
+                their = mine.get(other)
+                touched = None if their is None else names.get(their)
                 out.append(RobotContact(names.get(body, ""), self.world.geom_of(other) if touched is None else touched,
                                         row["pos"].copy(), sign * row["normal"], float(row["depth"]), float(row["normal_force"]),
                                         sign * row["friction_force"]))

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""What a roboticist asks a robot for by name: forces, sensors, poses, Jacobians, contacts, of one and of many; what steps do by
+themselves; how a notebook shows it."""
+import pickle
+
+import numpy as np
+import pytest
+
+import epode
+
+# A trunk that floats, a ball joint, a slider and a hinge: every kind of joint.
+TREE = """<mujoco model="tree"><worldbody><body name="trunk" pos="0 0 1"><freejoint/>
+<inertial pos="0.1 0.02 0" mass="3" diaginertia="0.1 0.2 0.15"/>
+<body name="arm" pos="0.3 0 0" euler="20 10 0"><joint type="ball"/><inertial pos="0 0.1 -0.2" mass="1" diaginertia="0.02 0.03 0.01"/>
+<body name="rod" pos="0 0 -0.4"><joint name="slide" type="slide" axis="0 1 1"/><inertial pos="0.05 0 0" mass="0.7" diaginertia="0.01 0.01 0.02"/>
+<body name="hand" pos="0.1 0 0"><joint name="turn" axis="1 0 0"/><inertial pos="0 0 0.1" mass="0.5" diaginertia="0.005 0.004 0.003"/>
+<site name="tip" pos="0 0 0.2"/></body></body></body></body></worldbody></mujoco>"""
+PLACE = {"position": (1, 2, 3), "quaternion": (0.5, 0.5, -0.5, 0.5)}
+CRATE = """<mujoco model="crate"><worldbody><geom name="floor" type="plane" size="3 3 0.1"/><body name="crate" pos="0 0 0.1">
+<freejoint/><geom type="box" size="0.1 0.1 0.1" mass="2"/></body></worldbody></mujoco>"""
+
+
+def tree(**place):
+    rng = np.random.default_rng(3)
+    model = epode.robot.from_text(TREE)
+    q = model.reference + 0.3 * rng.normal(size=model.position_count)
+    for first in (3, 7):
+        q[first:first + 4] /= np.linalg.norm(q[first:first + 4])
+    robot = model.build(start=q, **place)
+    robot.velocities = 0.2 * rng.normal(size=model.velocity_count)
+    return robot
+
+
+@pytest.mark.parametrize("place", [{}, PLACE])
+def test_applied_forces_are_those_of_the_equation_of_motion(place):
+    """M v' / h = tau - bias of a robot at rest: the first step from it is exact."""
+    forces = np.random.default_rng(8).normal(size=11)
+    robot = tree(**place)
+    robot.velocities = np.zeros(11)
+    robot.world.gravity = (1, 2, -9)
+    wanted = np.linalg.solve(robot.mass_matrix(), forces - robot.bias_forces())
+    robot.apply(forces)
+    robot.world.step(1e-4)
+    assert robot.velocities / 1e-4 == pytest.approx(wanted, rel=1e-5, abs=1e-5 * np.abs(wanted).max())
+    with pytest.raises(ValueError, match="forces: 11"):
+        robot.apply([1, 2])
+
+
+@pytest.mark.parametrize("place", [{}, PLACE])
+def test_the_jacobian_is_what_velocities_make_of_a_frame(place):
+    robot = tree(**place)
+    velocity = robot.jacobian("tip", (0.1, 0, 0)) @ robot.velocities
+    body = robot.body("hand")
+    position, quaternion = robot.pose("tip")
+    point = position + epode.robot._turned(quaternion) @ (0.1, 0, 0)
+    assert velocity[:3] == pytest.approx(body.velocity_at(point), abs=1e-12)
+    assert velocity[3:] == pytest.approx(body.angular_velocity, abs=1e-12)
+    assert robot.mass_matrix() == pytest.approx(robot.model.mass_matrix(robot.positions))
+    if not place:
+        assert robot.bias_forces() == pytest.approx(robot.model.inverse_dynamics(robot.positions, robot.velocities))
+
+
+def test_poses_are_those_of_the_model_moved_to_its_place():
+    robot = tree(**PLACE)
+    turn = epode.robot._turned(np.array(PLACE["quaternion"]))
+    links = robot.model.fk(robot.positions)
+    assert robot.poses.shape == (5, 7) and robot.poses[:, :3] == pytest.approx(links[:, :3] @ turn.T + PLACE["position"])
+    for number, name in enumerate(robot.model.link_names):
+        assert np.concatenate(robot.pose(name)) == pytest.approx(robot.poses[number])
+    assert np.concatenate(robot.pose("world")) == pytest.approx([*PLACE["position"], *PLACE["quaternion"]])
+
+
+def test_contacts_have_names_normals_to_the_link_and_forces_on_it():
+    robot = epode.robot.from_text(CRATE).build()
+    robot.world.step(0.002, steps=300)
+    touching = robot.contacts()
+    assert len(touching) == len(robot.contacts("crate")) == 4 and robot.contacts("world") == []
+    for one in touching:
+        assert one.link == "crate" and one.other is robot.geoms[0] and one.normal == pytest.approx([0, 0, 1])
+        assert one.position == pytest.approx([0, 0, 0], abs=0.15)
+    assert sum(one.normal_force for one in touching) == pytest.approx(19.62, rel=1e-3)
+    ball = robot.world.body(mass=1, position=(0, 0, 0.3), shape=epode.Sphere(0.1))
+    robot.world.step(0.002, steps=300)
+    above = [one for one in robot.contacts("crate") if one.other is ball.geoms[0]]
+    assert len(above) == 1 and above[0].normal == pytest.approx([0, 0, -1], abs=1e-6)
+    assert above[0].normal_force == pytest.approx(9.81, rel=1e-3)
+
+
+MUSCLE = """<mujoco><option gravity="0 0 0"/><worldbody><site name="top" pos="0 0 1"/><body><joint name="down" type="slide" axis="0 0 1"/>
+<geom size="0.05" mass="2"/><site name="hook"/></body></worldbody><tendon><spatial name="string" stiffness="500" damping="20" springlength="0.5">
+<site site="top"/><site site="hook"/></spatial></tendon><actuator><general name="push" joint="down" dyntype="filter" dynprm="0.1"/></actuator>
+<sensor><accelerometer name="felt" site="hook"/><gyro name="turning" site="hook"/><jointpos name="place" joint="down"/></sensor></mujoco>"""
+
+
+def test_steps_let_tendons_and_filters_act_and_measure():
+    """The same bits as of a program that adds and measures by itself, once, whoever does it."""
+    model = epode.robot.from_text(MUSCLE)
+    by_itself, by_hand = model.build(), model.build()
+    for robot in (by_itself, by_hand):
+        robot.control("push", 3)
+    for _ in range(50):
+        by_itself.world.step(0.002)
+        assert by_hand.add_forces(0.002) == 2
+        by_hand.world.step(0.002)
+        by_hand.update_sensors(0.002)
+    assert by_itself.positions.tobytes() == by_hand.positions.tobytes() and by_itself.positions[0] > 0.1
+    assert by_itself.activations[0] == pytest.approx(3 * (1 - 0.98 ** 50))
+    assert by_itself.sensor("felt").tobytes() == by_hand.sensor("felt").tobytes() and by_itself.sensor("felt")[2] != 0
+    many = epode.robot.Robots([model.build(), model.build()])
+    many.controls = [3]
+    many.step(0.002, steps=50)
+    assert many.positions[0].tobytes() == many.positions[1].tobytes() == by_itself.positions.tobytes()
+    assert many.sensors["felt"].shape == (2, 3) and many.sensor("felt")[1] == pytest.approx(by_itself.sensor("felt"))
+
+
+def test_a_clone_lets_them_act_too():
+    robot = epode.robot.from_text(MUSCLE).build()
+    robot.control("push", 3)
+    robot.world.step(0.002, steps=20)
+    for copy in (robot.world.clone(), pickle.loads(pickle.dumps(robot.world))):
+        twin = copy.robots[0]
+        saved = robot.world.save()
+        for world in (robot.world, copy):
+            world.step(0.002, steps=20)
+        assert twin.positions.tobytes() == robot.positions.tobytes()
+        robot.world.load(saved)
+
+
+def test_sensors_come_by_name_once_a_step_has_measured_them():
+    robot = epode.robot.from_text(MUSCLE).build()
+    assert list(robot.sensors) == ["place"]
+    robot.world.step(0.002, steps=2)
+    assert list(robot.sensors) == ["felt", "turning", "place"] and robot.sensors["place"] == pytest.approx(robot.positions)
+
+
+def test_force_sensors_of_the_file_need_no_further_word():
+    model = epode.robot.from_text("""<mujoco><worldbody><body name="post"><joint name="j" type="slide" axis="0 0 1" stiffness="1e4" damping="400"/>
+        <geom size="0.1" mass="2"/><site name="foot"/></body></worldbody><sensor><force name="f" site="foot"/></sensor></mujoco>""")
+    robot = model.build()
+    robot.world.step(0.002, steps=1000)
+    assert abs(robot.sensor("f")[2]) == pytest.approx(0, abs=20) and np.isfinite(robot.sensor("f")).all()
+
+
+def test_many_robots_answer_as_each_of_them():
+    model = epode.robot.from_text(CRATE)
+    robots = epode.robot.Robots([model.build() for _ in range(3)])
+    for i, robot in enumerate(robots):
+        robot.positions = (0, 0, 0.1 + 0.5 * (i == 2), 1, 0, 0, 0)
+    robots.step(0.002, steps=100)
+    touch = robots.touch("crate")
+    assert touch.points.tolist() == [4, 4, 0] and touch.force.shape == (3, 3) and touch.normal_force[0] == pytest.approx(19.62, rel=1e-3)
+    assert [len(one) for one in robots.contacts()] == [4, 4, 0]
+    assert robots.poses.shape == (3, 2, 7) and robots.pose("crate")[0].shape == (3, 3)
+    assert robots.poses[1] == pytest.approx(robots[1].poses)
+    assert robots.jacobians("crate").shape == (3, 6, 6) and robots.forces.shape == (3, 6)
+    assert robots.rays("crate", [[0, 0, -1]])[:, 0] == pytest.approx(robots.positions[:, 2])
+    assert robots.controls.shape == (3, 0) and robots.sensors == {}
+
+
+def test_a_notebook_shows_a_picture_and_tables():
+    robot = epode.robot.from_text(MUSCLE).build()
+    robot.control("push", 3)
+    page = robot._repr_html_()
+    assert "<td>down</td><td>slide</td><td>0</td>" in page and "<td>push</td>" in page and "<td>3</td>" in page
+    try:
+        robot.world.picture()
+    except (RuntimeError, OSError):
+        return  # a build without pictures
+    assert "data:image/png;base64," in page
+    robot.destroy()
+    assert "destroyed" in robot._repr_html_()
+
+
+def test_they_go_by_their_short_names():
+    assert epode.Robot is epode.robot.Robot and epode.Robots is epode.robot.Robots and epode.Model is epode.robot.Model
