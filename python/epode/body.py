@@ -31,6 +31,12 @@ class Body(Object):
         """As ``World.body`` does: handle is a body of the world."""
         self.world, self._live, self.geoms = world, handle, []
 
+    def __repr__(self) -> str:
+        if not self.alive:
+            return super().__repr__()
+        x, y, z = self.position
+        return f"<epode.Body: {self.mass:.4g} kg at ({x:.4g}, {y:.4g}, {z:.4g})>"
+
     position = vector(c.dBodyGetPosition, c.dBodySetPosition, "Of the centre of mass, m.")
     velocity = vector(c.dBodyGetLinearVel, c.dBodySetLinearVel, "Of the centre of mass, m/s.")
     angular_velocity = vector(c.dBodyGetAngularVel, c.dBodySetAngularVel, "rad/s.")

@@ -17,6 +17,11 @@ if TYPE_CHECKING:
     from .world import World
 
 
+_KINDS = {getattr(c, name): kind for name, kind in (
+    ("dSphereClass", "sphere"), ("dBoxClass", "box"), ("dCapsuleClass", "capsule"), ("dCylinderClass", "cylinder"), ("dPlaneClass", "plane"),
+    ("dConvexClass", "convex"), ("dTriMeshClass", "mesh"), ("dHeightfieldClass", "height field")) if hasattr(c, name)}
+
+
 class Geom(Object):
     """A shape in a world, made by ``World.geom`` or with a body; ``shape`` is what it was made from."""
 
@@ -25,6 +30,12 @@ class Geom(Object):
     def __init__(self, world: World, handle: c.dGeomID, shape: Shape, body: Body | None) -> None:
         """As ``World.geom`` does: handle is a geom in the world, of the shape, on the body."""
         self.world, self._live, self.shape, self.body, self._key = world, handle, shape, body, handle.id
+
+    def __repr__(self) -> str:
+        if not self.alive:
+            return super().__repr__()
+        kind = _KINDS.get(c.dGeomGetClass(self._handle), "shape")
+        return f"<epode.Geom: a {kind}{'' if self.body is None else f' on {self.body!r}'}>"
 
     position = vector(c.dGeomGetPosition, c.dGeomSetPosition, "In the world, m. Setting it moves the body, if there is one.")
     rotation = reads_and_sets(c.dGeomGetRotation, c.dGeomSetRotation, "3 x 3: the geom's coordinates to the world's.")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
-"""Calls as a newcomer writes them: errors name the call that was made, say what would do, and change nothing; constructors tell of
-their arguments; a wrong name is never taken in silence."""
+"""Calls as a newcomer writes them: errors name the call that was made, say what would do, and change nothing; constructors describe their
+arguments; a wrong name is never taken in silence."""
 import importlib
 import inspect
 import pickle
@@ -123,7 +123,7 @@ def classes():
 
 
 @pytest.mark.parametrize("init", list(classes()))
-def test_constructors_tell_of_their_arguments(init):
+def test_constructors_describe_their_arguments(init):
     text = inspect.getdoc(init)
     assert text and "Initialize self" not in text
     for name in list(inspect.signature(init).parameters)[1:]:
