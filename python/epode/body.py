@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import c
 from ._handle import FloatArray, Object, Value, flag, reads, reads_and_sets, switch, three, vector
-from .errors import RefusedError
+from .errors import BusyError, RefusedError
 
 if TYPE_CHECKING:
     from .geom import Geom
@@ -34,8 +34,11 @@ class Body(Object):
     def __repr__(self) -> str:
         if not self.alive:
             return super().__repr__()
-        x, y, z = self.position
-        return f"<epode.Body: {self.mass:.4g} kg at ({x:.4g}, {y:.4g}, {z:.4g})>"
+        try:
+            (x, y, z), mass = self.position, self.mass
+        except BusyError:  # in a step of another thread
+            return super().__repr__()
+        return f"<epode.Body: {mass:.4g} kg at ({x:.4g}, {y:.4g}, {z:.4g})>"
 
     position = vector(c.dBodyGetPosition, c.dBodySetPosition, "Of the centre of mass, m.")
     velocity = vector(c.dBodyGetLinearVel, c.dBodySetLinearVel, "Of the centre of mass, m/s.")

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from . import c
 from ._handle import FloatArray, Object, flag, reads_and_sets, three, vector
+from .errors import BusyError
 from .shapes import Material, Shape
 
 if TYPE_CHECKING:
@@ -34,7 +35,10 @@ class Geom(Object):
     def __repr__(self) -> str:
         if not self.alive:
             return super().__repr__()
-        kind = _KINDS.get(c.dGeomGetClass(self._handle), "shape")
+        try:
+            kind = _KINDS.get(c.dGeomGetClass(self._handle), "shape")
+        except BusyError:  # in a step of another thread
+            return super().__repr__()
         return f"<epode.Geom: a {kind}{'' if self.body is None else f' on {self.body!r}'}>"
 
     position = vector(c.dGeomGetPosition, c.dGeomSetPosition, "In the world, m. Setting it moves the body, if there is one.")

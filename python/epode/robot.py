@@ -477,6 +477,18 @@ class Robot:
     def velocities(self, value: ArrayLike) -> None:
         self._live.set_velocities(value)
 
+    def reset(self, start: str | ArrayLike | None = None) -> None:
+        """Begin again, at rest: at positions, at a start pose of the file by name, or, without start, where ``Model.build`` puts it;
+        controls and activations are 0, targets stay."""
+        if isinstance(start, str) and start not in self.model.starts:
+            raise KeyError(_unknown(start, list(self.model.starts), "start pose"))
+        if start is None:
+            start = next(iter(self.model.starts), None)
+        wanted = self.model.reference if start is None else self.model.starts[start] if isinstance(start, str) else start
+        self.positions = _vector(wanted, self.model.position_count, "start")
+        self.controls = np.zeros(len(self.model.actuators))
+        self.activations = np.zeros(len(self.model.actuators))
+
     @property
     def controls(self) -> FloatArray:
         """The controls of all actuators; setting them clamps each to its range."""
@@ -798,6 +810,15 @@ class Robots:
     def control(self, values: ArrayLike) -> None:
         """Set the controls of all actuators: a row for each robot, or one for all."""
         self.controls = values
+
+    def reset(self, mask: ArrayLike | None = None) -> None:
+        """``Robot.reset`` of those that the mask says, a bool for each, or of all."""
+        chosen = np.ones(len(self), bool) if mask is None else np.asarray(mask, bool)
+        if chosen.shape != (len(self),):
+            raise ValueError(f"a mask of {len(self)} is expected, not {chosen.shape}")
+        for robot, begins in zip(self._robots, chosen):
+            if begins:
+                robot.reset()
 
     def step(self, h: float, *, steps: int = 1, stepper: str = "exact", threads: int = 0) -> None:
         """Advance all worlds, each on a thread of its own (``epode.step_worlds``)."""

@@ -158,6 +158,25 @@ def test_many_robots_answer_as_each_of_them():
     assert robots.controls.shape == (3, 0) and robots.sensors == {}
 
 
+def test_robots_begin_again_at_rest():
+    model = epode.robot.from_text(MUSCLE.replace("</mujoco>", "<keyframe><key name='low' qpos='-0.3'/></keyframe></mujoco>"))
+    robots = epode.robot.Robots([model.build(), model.build()])
+    robots.controls = [3]
+    robots.step(0.002, steps=50)
+    moved = robots.positions
+    robots.reset([False, True])
+    assert robots.positions.tolist() == [moved[0].tolist(), [-0.3]] and robots.velocities[1] == 0 and robots.controls.tolist() == [[3], [0]]
+    robots[0].reset([0.2])
+    assert robots.positions[0] == 0.2 and robots[0].activations == 0
+    robots[0].reset("low")
+    assert robots.positions[0] == -0.3
+    for wrong, kind in (("high", KeyError), ([1, 2], ValueError)):
+        with pytest.raises(kind):
+            robots[0].reset(wrong)
+    with pytest.raises(ValueError, match="mask of 2"):
+        robots.reset([True])
+
+
 def test_a_notebook_shows_a_picture_and_tables():
     robot = epode.robot.from_text(MUSCLE).build()
     robot.control("push", 3)
