@@ -38,6 +38,14 @@ def _vector(value: ArrayLike, size: int, what: str) -> FloatArray:
     return array
 
 
+def _quaternion(value: ArrayLike) -> FloatArray:
+    """Four finite numbers, not all 0."""
+    array = _vector(value, 4, "quaternion")
+    if not array.any():
+        raise ValueError("quaternion: 4 numbers that are not all 0 are expected")
+    return array
+
+
 def _turned(quaternion: FloatArray) -> FloatArray:
     """The 3 x 3 matrix of a quaternion."""
     w, x, y, z = quaternion

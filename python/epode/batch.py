@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _c
-from ._poses import _moved
+from ._poses import _moved, _unknown, _vector
 from .errors import RefusedError
 from .recording import Recording
 from .robot import Model
@@ -84,6 +84,8 @@ class Batch:
         overlap that a step takes back, and how fast, m/s. reach: surfaces nearer than this, m, are looked at. tolerance: sweeps end
         when the last one changed no speed by more, m/s; 0: 1e-5 in floats, 1e-6 in doubles. max_sweeps: of a step. pinned: each
         thread but the caller's stays on a processor of its own, where the system can."""
+        if not isinstance(model, Model):
+            raise TypeError(f"a Model, as epode.load returns it, is expected, not {model!r}")
         self.dtype = np.dtype(dtype)
         if self.dtype not in (np.dtype("float32"), np.dtype("float64")):
             raise ValueError(f"float32 or float64 is expected, not {self.dtype}")
@@ -207,6 +209,8 @@ class Batch:
 
         directions and origins: (rays, 3), from the link's origin, in the link's axes, in the world's, or upright: z up, x where the
         link's x heads, as scans of heights want it. shapes: an array (copies, rays) that gets which shape of the model was hit, or -1."""
+        if isinstance(link, str) and link not in self.model.link_names:
+            raise KeyError(_unknown(link, self.model.link_names, "link"))
         number = self.model.link_names.index(link) if isinstance(link, str) else link
         ways = np.ascontiguousarray(directions, float)
         starts = np.zeros_like(ways) if origins is None else np.ascontiguousarray(origins, float)
@@ -260,7 +264,7 @@ class Batch:
         link, local = self.model._frame(frame)
         chosen = self._chosen(copies)
         out = np.empty((len(chosen), 6, self.size("qvel")), self.dtype)
-        self._batch.jacobian(link, np.asarray(_moved(local, point), float).tolist(), chosen, out)
+        self._batch.jacobian(link, _moved(local, _vector(point, 3, "point")).tolist(), chosen, out)
         return out
 
     @property

@@ -27,7 +27,7 @@ from numpy.typing import ArrayLike
 
 from . import _c, c
 from ._handle import FloatArray, Value
-from ._poses import _moved, _number, _product, _turned, _unknown, _vector
+from ._poses import _moved, _number, _product, _quaternion, _turned, _unknown, _vector
 from ._robot_data import (Actuator as Actuator, Link as Link, ModelJoint as ModelJoint, Note as Note, Options as Options,
                           Path as Path, Picture as Picture, RobotContact as RobotContact, Sensor as Sensor, Solution as Solution, Target as Target,
                           Touch as Touch)
@@ -146,6 +146,18 @@ class Model:
         """Of all actuators."""
         return [actuator.name for actuator in self.actuators]
 
+    def link(self, name: str) -> Link:
+        """A link, by name."""
+        return self.links[_number(name, self.link_names, "link")]
+
+    def joint(self, name: str) -> ModelJoint:
+        """A joint, by name: its ``position`` and ``velocity`` say where its numbers stand."""
+        return self.joints[_number(name, self.joint_names, "joint")]
+
+    def actuator(self, name: str) -> Actuator:
+        """An actuator, by name."""
+        return self.actuators[_number(name, self.actuator_names, "actuator")]
+
     @property
     def frame_names(self) -> list[str]:
         """What ``pose``, ``jacobian`` and ``ik`` know: links, merged links and sites."""
@@ -224,7 +236,7 @@ class Model:
     def jacobian(self, frame: str, positions: ArrayLike, point: ArrayLike = (0, 0, 0)) -> FloatArray:
         """6 x velocity_count: what the velocities make of a point of a frame, linear then angular, in the world's axes."""
         link, local = self._frame(frame)
-        return self._model.jacobian(positions, link, _moved(local, point))
+        return self._model.jacobian(positions, link, _moved(local, _vector(point, 3, "point")))
 
     def mass_matrix(self, positions: ArrayLike) -> FloatArray:
         """velocity_count x velocity_count, rotor inertias on its diagonal."""
@@ -279,9 +291,9 @@ class Model:
 
     def _goal(self, target: Target) -> tuple[int, FloatArray, FloatArray, float, float]:
         link, local = self._frame(target.frame)
-        frame = np.concatenate([_moved(local, target.point), local[3:]])
+        frame = np.concatenate([_moved(local, _vector(target.point, 3, "point")), local[3:]])
         pose = np.concatenate([np.zeros(3) if target.position is None else _vector(target.position, 3, "position"),
-                               [1.0, 0, 0, 0] if target.quaternion is None else _vector(target.quaternion, 4, "quaternion")])
+                               [1.0, 0, 0, 0] if target.quaternion is None else _quaternion(target.quaternion)])
         return (link, frame, pose, 0.0 if target.position is None else float(target.position_weight),
                 0.0 if target.quaternion is None else float(target.orientation_weight))
 
@@ -291,7 +303,7 @@ class Model:
               start: str | ArrayLike | None = None) -> Robot:
         """A robot in a world; without one in a new world with the file's gravity. position and quaternion place the model's
         world in it. start: positions, or the name of a start pose of the file; without it, the first, or the reference."""
-        pose = np.concatenate([_vector(position, 3, "position"), _vector(quaternion, 4, "quaternion")])
+        pose = np.concatenate([_vector(position, 3, "position"), _quaternion(quaternion)])
         if isinstance(start, str):
             if start not in self.starts:
                 raise KeyError(_unknown(start, list(self.starts), "start pose"))
@@ -456,6 +468,13 @@ class Robot:
         handle = self._live.joint(self._joint_number(name))
         return None if handle is None else self._joints[handle]
 
+    @property
+    def joints(self) -> dict[str | int, Joint]:
+        """The Joints of hinges, sliders and balls, by name, or by number if they have none."""
+        live = self._live
+        handles = {joint.name or number: live.joint(number) for number, joint in enumerate(self.model.joints)}
+        return {name: self._joints[handle] for name, handle in handles.items() if handle is not None}
+
     def _joint_number(self, name: str | int) -> int:
         return _number(name, self.model.joint_names, "joint")
 
@@ -556,7 +575,17 @@ class Robot:
         live = self._live
         return np.array([live.link_pose(link) for link in range(len(self.model.links))])
 
-    # ---- dynamics, here and now ----
+    # ---- kinematics and dynamics, here and now ----
+
+    def ik(self, target: str, position: ArrayLike | None = None, quaternion: ArrayLike | None = None, **settings: typing.Any) -> Solution:
+        """``Model.ik`` of one frame with position and quaternion in the world, searched from where the robot is."""
+        place = self._live.placement
+        back = np.array([1, -1, -1, -1]) * place[3:]
+        if position is not None:
+            position = _turned(back) @ (_vector(position, 3, "position") - place[:3])
+        if quaternion is not None:
+            quaternion = _product(back, _quaternion(quaternion))
+        return self.model.ik(target, position, quaternion, **{"guess": self.positions, **settings})
 
     def jacobian(self, frame: str, point: ArrayLike = (0, 0, 0)) -> FloatArray:
         """6 x velocity_count: what the velocities make of a point of a frame where the robot is, linear then angular, in the
@@ -768,9 +797,9 @@ class Robots:
 
     def __init__(self, robots: Iterable[Robot]) -> None:
         """robots: at least one, all of one model: ``Robots(model.build() for _ in range(100))``."""
-        self._robots = list(robots)
-        if not self._robots:
-            raise ValueError("at least one robot is expected")
+        self._robots = [] if isinstance(robots, (Robot, Model)) else list(robots)
+        if not self._robots or not all(isinstance(robot, Robot) for robot in self._robots):
+            raise ValueError("at least one robot, in a list, is expected: Robots([model.build(), model.build()])")
         if len({id(robot.model) for robot in self._robots}) > 1:
             raise ValueError("robots of one model are expected")
         self.model = self._robots[0].model

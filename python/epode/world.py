@@ -382,6 +382,8 @@ class World(Object):
         """Begin to record: the state now, and from now on one after each ``step``, until the recording's ``stop`` or the end of
         its ``with`` block. A recording that was being made stops."""
         self._handle
+        if not isinstance(title, str):
+            raise TypeError(f"the title of a recording is expected, not {title!r}")
         if self._recording is not None:
             self._recording.stop()
         recording = Recording(self, title)

@@ -87,7 +87,10 @@ def test_wrong_values_are_refused_without_a_word_of_c(program, recwarn):
     ("robot.imu('tip')", epode.RefusedError, "after World.step"), ("epode.load('nowhere.xml')", epode.RefusedError, "^'nowhere.xml' is no file"),
     ("robots.positions = [1]", ValueError, r"\(1, 2\)"), ("robots.controls = [1, 2, 3]", ValueError, "row of 1"),
     ("robot.postions = [0, 0]", AttributeError, "postions"), ("robots.positons = [0, 0]", AttributeError, "positons"),
-    ("world.body(mass=1, shape='sphere')", TypeError, "epode.Box"), ("world.joint('hinge', None, axs=(0, 0, 1))", TypeError, "axis")])
+    ("robot.model.ik('tip', [0.4, 0, 0.5], [0, 0, 0, 0])", ValueError, "not all 0"), ("epode.Robots(robot)", ValueError, "in a list"),
+    ("epode.Robots([robot.model])", ValueError, "in a list"), ("epode.Batch('arm.xml', 4)", TypeError, "epode.load"),
+    ("epode.Batch(robot.model, 2).rays('lowr', [[0, 0, 1]])", KeyError, "did you mean 'lower'"), ("world.record(robot)", TypeError, "title"),
+    ("robot.jacobian('tip', [0, 0])", ValueError, "point: 3"), ("world.body(mass=1, shape='sphere')", TypeError, "epode.Box"), ("world.joint('hinge', None, axs=(0, 0, 1))", TypeError, "axis")])
 def test_robots_say_what_they_want(robot, program, kind, said):
     names = {"epode": epode, "robot": robot, "robots": epode.robot.Robots([robot]), "world": robot.world}
     before = robot.positions

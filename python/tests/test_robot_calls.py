@@ -71,6 +71,28 @@ def test_poses_are_those_of_the_model_moved_to_its_place():
     assert np.concatenate(robot.pose("world")) == pytest.approx([*PLACE["position"], *PLACE["quaternion"]])
 
 
+@pytest.mark.parametrize("place", [{}, PLACE])
+def test_inverse_kinematics_in_the_world_begin_where_the_robot_is(place):
+    robot = tree(**place)
+    position, quaternion = robot.pose("tip")
+    here = robot.ik("tip", position, quaternion)
+    assert here.reached and here.positions == pytest.approx(robot.positions, abs=1e-6)
+    there = robot.ik("tip", position + (0.1, 0, 0.05), quaternion)
+    robot.positions = there.positions
+    assert there.reached and robot.pose("tip")[0] == pytest.approx(position + (0.1, 0, 0.05), abs=1e-8)
+    assert abs(robot.pose("tip")[1] @ quaternion) == pytest.approx(1)
+
+
+def test_parts_go_by_name():
+    robot = tree()
+    model = robot.model
+    assert model.joint("turn") is model.joints[3] and model.link("hand").mass == 0.5 and list(robot.joints) == [1, "slide", "turn"]
+    assert robot.joints["turn"] is robot.joint("turn")
+    for wrong in (model.joint, model.link, model.actuator):
+        with pytest.raises(KeyError, match="nobody"):
+            wrong("nobody")
+
+
 def test_contacts_have_names_normals_to_the_link_and_forces_on_it():
     robot = epode.robot.from_text(CRATE).build()
     robot.world.step(0.002, steps=300)
