@@ -27,6 +27,14 @@ assert np.allclose(place, expected, atol=1e-12)
 print("hand at", place.round(3), "held by torques of", model.gravity_forces(q).round(2), "N m")
 
 # %% [markdown]
+# A robot shows itself: a picture, its joints and actuators.
+
+# %%
+standing = model.build(start=q)
+assert "shoulder" in standing._repr_html_()
+standing
+
+# %% [markdown]
 # In a world: hold it there with these torques, and it stays.
 
 # %%
