@@ -17,8 +17,8 @@ MODULES = {"world": "Worlds", "body": "Bodies", "geom": "Geoms", "shapes": "Shap
            "description/_values": "Their lists of parts", "batch": "Batches of robots", "vector/environment": "Environments: epode.vector",
            "vector/task": "Tasks: epode.vector", "sweep/plan": "Plans of sweeps: epode.sweep", "sweep/sweep": "Sweeps: epode.sweep",
            "enums": "Kinds", "errors": "Errors"}
-# A module's classes that have a file of their own.
-DATA = {"robot": "_robot_data"}
+# A module's classes that have files of their own.
+DATA = {"robot": ("_robot_data", "_robots")}
 
 
 def is_public(name):
@@ -89,7 +89,7 @@ def module_part(name, title):
     tree = tree_of(name)
     exported = re.findall(r'"(\w+)"', re.search(r"__all__ = \[(.*?)\]", (PACKAGE / "__init__.py").read_text(encoding="utf-8"), re.S)[1])
     part = f"## {title}\n\n{ast.get_docstring(tree)}\n\n"
-    for node in [*(tree_of(DATA[name]).body if name in DATA else []), *tree.body]:
+    for node in [*(node for file in DATA.get(name, ()) for node in tree_of(file).body), *tree.body]:
         prefix = "epode." if getattr(node, "name", None) in exported and "description" not in name else f"epode.{name.split('/')[0]}."
         if isinstance(node, ast.ClassDef) and is_public(node.name):
             bases = f"({', '.join(ast.unparse(b) for b in node.bases)})" if node.bases else ""
