@@ -19,6 +19,14 @@ if typing.TYPE_CHECKING:
 
 _END = struct.Struct("<I8s")
 _MARK = b"EPROBOTS"
+_SIZE = struct.Struct("<8xQ8x")  # of the library's header: its bytes, with the header
+
+
+def _check_end(state: bytes, end: int) -> None:
+    """Refuse bytes behind the library's part, which it would pass over: a state of robots that was cut off, or something else."""
+    size = _SIZE.unpack_from(state)[0] if len(state) >= _SIZE.size else end
+    if size < end:
+        raise RefusedError(f"{end - size} bytes follow the state, which has {size}: it has been cut off, or something was added")
 
 
 def numbers_of(robots: list[Robot]) -> list[tuple[Robot, FloatArray]]:
@@ -44,6 +52,7 @@ def joined(state: bytes, robots: list[Robot]) -> bytes:
 def split(state: bytes, robots: list[Robot]) -> tuple[bytes, list[tuple[Robot, FloatArray]]]:
     """The library's part of a state, and the numbers of the robots; none if it was saved without robots, or in C."""
     if len(state) < _END.size or state[-8:] != _MARK:
+        _check_end(state, len(state))
         return state, []
     end = len(state) - _END.size
     places = end - 4 * _END.unpack_from(state, end)[0]
@@ -53,5 +62,6 @@ def split(state: bytes, robots: list[Robot]) -> tuple[bytes, list[tuple[Robot, F
     if begin < 0 or [len(its) for _, its in living] != counts.tolist():
         raise RefusedError(f"a state of {len(counts)} robots, each with {counts.tolist()} numbers, is refused; this world's "
                            f"{len(living)} have {[len(its) for _, its in living]}")
+    _check_end(state, begin)
     parts = np.split(np.frombuffer(state[begin:places], "<f8"), np.cumsum(counts)[:-1])
     return state[:begin], [(robot, its) for (robot, _), its in zip(living, parts)]

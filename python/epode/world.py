@@ -264,7 +264,10 @@ class World(Object):
 
     def plane(self, normal: Sequence[float] = (0, 0, 1), distance: float = 0.0, **settings: typing.Any) -> Geom:
         """Ground: everything below normal . p = distance."""
-        return self.geom(Plane((normal[0], normal[1], normal[2]), distance), **settings)
+        x, y, z = three(normal, "normal")
+        if not (x or y or z):
+            raise ValueError("a normal that is not 0 is expected")
+        return self.geom(Plane((x, y, z), distance), **settings)
 
     def joint(self, type: str, body1: Body | None, body2: Body | None = None, **settings: typing.Any) -> Joint:
         """A new joint of a type (ball, hinge, slider, universal, hinge2, fixed, amotor, lmotor, plane2d, pr, pu, piston,
@@ -295,6 +298,8 @@ class World(Object):
     def couple(self, *members: tuple[Joint, float] | tuple[Joint, float, int], stops: tuple[float, float] = (0.0, 0.0)) -> Joint:
         """A new joint that holds the sum of factor * position over its members within stops: mimic joints, gears,
         differentials. members: (joint, factor) or (joint, factor, axis), at most eight."""
+        if not members:
+            raise ValueError("at least one member, (joint, factor), is expected")
         joint = Joint(self, c.dJointCreateCoupling(self._handle, None), "coupling", None, None)
         self._joints[joint._live] = joint
         self._edition += 1

@@ -68,7 +68,7 @@ def test_a_callback_of_the_program_is_where_its_call_begins():
 @pytest.mark.parametrize("program", [
     "world.gravity = 5", "world.gravity = [0, 0]", "body.position = [1, 2]", "body.velocity = 3", "body.add_force([1, 2])", "joint.anchor = (1, 2)",
     "world.body(mass=-1)", "world.body(mass=0, shape=epode.Sphere(1))", "body.mass = -1", "joint.stops = (2, 1)", "joint.motor(1, -1)",
-    "epode.step_worlds([world], 0.1, steps=-1)"])
+    "epode.step_worlds([world], 0.1, steps=-1)", "world.plane(normal=(0, 0, 0))", "world.plane(normal=(0, 1))", "world.couple()"])
 def test_wrong_values_are_refused_without_a_word_of_c(program, recwarn):
     with epode.World() as world:
         body = world.body(mass=1, position=(0, 0, 1), shape=epode.Box(0.1, 0.1, 0.1))
@@ -97,6 +97,28 @@ def test_robots_say_what_they_want(robot, program, kind, said):
     with pytest.raises(kind, match=said):
         exec(program, names)
     assert robot.positions == pytest.approx(before) and len(robot.world.bodies) == 2
+
+
+def test_states_that_were_cut_off_or_have_something_behind_are_refused(robot):
+    robot.controls = [1]
+    world, plain = robot.world, epode.World()
+    plain.body(mass=1)
+    state, own = world.save(), plain.save()
+    base = plain.save()
+    plain.step(0.01)
+    changes = plain.save_changes(base)
+    robot.controls = [2]
+    for cut in (1, 8, 12, 13, 40):
+        with pytest.raises(epode.RefusedError):
+            world.load(state[:-cut])
+        assert robot.controls == 2
+    for wrong in (own + b"x", own + b"more of it", own[:-1]):
+        with pytest.raises(epode.RefusedError):
+            plain.load(wrong)
+    with pytest.raises(epode.RefusedError, match="follow the state"):
+        plain.load_changes(base, changes + b"1234")
+    plain.load(own), plain.load_changes(base, changes), world.load(state)
+    assert robot.controls == 1
 
 
 def test_stops_can_be_taken_away():
