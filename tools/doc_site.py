@@ -29,7 +29,8 @@ def plain_links(text, page):
     """Markdown with links to what is not in the site turned into text."""
     def kept(match):
         target = match[2].split("#")[0]
-        if not target or re.match(r"\w+:", target) or (page.parent / target).resolve().is_relative_to(DOCS):
+        place = (page.parent / target).resolve()
+        if not target or re.match(r"\w+:", target) or place.is_relative_to(DOCS) and place.suffix != ".py":  # notebooks are no pages
             return match[0]
         return match[1] if match[1].startswith("`") else f"`{match[1]}`"
     return re.sub(r"(?<!!)\[([^\]]+)\]\(([^)\s]+)\)", kept, text)

@@ -11,8 +11,10 @@ template <typename H, typename... Base>
 void bind_handle(nb::module_& m, const char* name)
 {
     nb::class_<H, Base...>(m, name)
-        .def("__eq__",
-             [](const H& a, nb::handle b) { return nb::isinstance<H>(b) && nb::cast<const H&>(b).p == a.p; })
+        .def(
+            "__eq__",
+            [](const H& a, nb::handle b) { return nb::isinstance<H>(b) && nb::cast<const H&>(b).p == a.p; },
+            nb::arg().none())
         .def("__hash__", [](const H& a) { return size_t(a.p) >> 6; })
         .def_prop_ro(
             "id", [](const H& a) { return size_t(a.p); }, "The address, as structured arrays have it.")

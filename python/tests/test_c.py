@@ -123,3 +123,11 @@ def test_random_calls_never_crash():
             if type(result).__name__.endswith("ID") and len(handles) < 200:
                 handles.append(result)
     assert refused > calls / 10 and (calls < 100_000 or len(answered) > 0.8 * len(names))
+
+
+def test_handles_are_compared_with_anything():
+    with epode.World() as world:
+        body = world.body(mass=1)
+        same, other = epode.c.dWorldGetBodies(world._handle)[0], world.body(mass=1)._handle
+        assert body._handle == same and not body._handle == other and body._handle != other
+        assert not body._handle == None and body._handle != None and body._handle != 3 and body._handle not in [None, "x"]  # noqa: E711
