@@ -12,6 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._handle import FloatArray
 
+if typing.TYPE_CHECKING:
+    from .geom import Geom
+
 Path = str | os.PathLike[str]
 
 
@@ -77,8 +80,8 @@ class Touch(typing.NamedTuple):
 
 class RobotContact(typing.NamedTuple):
     """A point at which a robot touched something in the last step: its link and what that touched (a link's name, or the Geom
-    of something else), the place, m, the normal, which points to the link, by how much they overlap, m, and the forces on the
-    link: along the normal, N, and of friction, N, in the world's axes."""
+    of something else), the place, m, the normal, which points to the link, by how much they overlap, m, the forces on the
+    link: along the normal, N, and of friction, N, in the world's axes, and the two Geoms (``Robot.geom_name``)."""
     link: str
     other: typing.Any
     position: FloatArray
@@ -86,6 +89,8 @@ class RobotContact(typing.NamedTuple):
     depth: float
     normal_force: float
     friction_force: FloatArray
+    geom: Geom
+    other_geom: Geom
 
 
 class Picture(typing.NamedTuple):

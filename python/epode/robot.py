@@ -27,6 +27,7 @@ from numpy.typing import ArrayLike
 
 from . import _c, c
 from ._handle import FloatArray
+from ._geom_names import names_of
 from ._poses import _moved, _number, _product, _quaternion, _turned, _unknown, _vector
 from ._robots import Robots as Robots
 from ._robot_data import (Actuator as Actuator, Link as Link, ModelJoint as ModelJoint, Note as Note, Options as Options,
@@ -108,6 +109,7 @@ class Model:
         self.actuators = [Actuator(*row) for row in model.actuators]
         self.sensors = [Sensor(*row) for row in model.sensors]
         self.starts = model.starts
+        self._names_of_geoms: list[list[str]] | None = None  # of each link
 
     def __eq__(self, other: object) -> bool:
         """Models are equal if MJCF says the same of them."""
@@ -163,6 +165,14 @@ class Model:
     def frame_names(self) -> list[str]:
         """What ``pose``, ``jacobian`` and ``ik`` know: links, merged links and sites."""
         return self._model.frame_names
+
+    @property
+    def geom_names(self) -> list[list[str]]:
+        """The names of each link's geoms, the world's first; empty where a geom has none."""
+        if self._names_of_geoms is None:
+            names = names_of(self.text("mjcf")[0])
+            self._names_of_geoms = names if len(names) == len(self.links) else [[] for _ in self.links]
+        return self._names_of_geoms
 
     @property
     def gravity(self) -> FloatArray:
@@ -459,6 +469,31 @@ class Robot:
         """All geoms."""
         return list(self._geoms)
 
+    @property
+    def _named_geoms(self) -> dict[int, str]:
+        """The names of the geoms that have one, by their keys."""
+        live, links = self._live, range(len(self.model.links))
+        places = {handle: link for link in links if (handle := live.body(link)) is not None}
+        of_links: list[list[Geom]] = [[] for _ in links]
+        for geom in self._geoms:
+            of_links[0 if geom.body is None else places.get(geom.body._handle, 0)].append(geom)
+        out = {}
+        for geoms, names in zip(of_links, self.model.geom_names):
+            if len(geoms) == len(names):  # else one has become several, or none
+                out.update({geom._key: name for geom, name in zip(geoms, names) if name})
+        return out
+
+    def geom(self, name: str) -> Geom:
+        """A geom of the file, by name."""
+        named = {its: key for key, its in self._named_geoms.items()}
+        if name not in named:
+            raise KeyError(_unknown(name, list(named), "geom"))
+        return self.world._geoms[named[name]]
+
+    def geom_name(self, geom: Geom) -> str:
+        """What the file calls a geom of the robot; empty: it has no name there, or is not the robot's."""
+        return self._named_geoms.get(geom._key, "")
+
     def body(self, link: str) -> Body | None:
         """The Body of a link, merged link or site, by name; None of the world's."""
         handle = self._live.body(self.model._frame(link)[0])
@@ -648,7 +683,7 @@ class Robot:
                 touched = None if their is None else names.get(their)
                 out.append(RobotContact(names.get(body, ""), self.world.geom_of(other) if touched is None else touched,
                                         row["pos"].copy(), sign * row["normal"], float(row["depth"]), float(row["normal_force"]),
-                                        sign * row["friction_force"]))
+                                        sign * row["friction_force"], self.world._geoms[me], self.world._geoms[other]))
         return out
 
     def _repr_html_(self) -> str:

@@ -3,6 +3,7 @@
 """What a roboticist asks a robot for by name: forces, sensors, poses, Jacobians, contacts, of one and of many; what steps do by
 themselves; how a notebook shows it."""
 import pickle
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -91,6 +92,31 @@ def test_parts_go_by_name():
     for wrong in (model.joint, model.link, model.actuator):
         with pytest.raises(KeyError, match="nobody"):
             wrong("nobody")
+
+
+def test_geoms_go_by_the_names_of_the_file():
+    """MuJoCo has the same names at the same places."""
+    mujoco, gymnasium = pytest.importorskip("mujoco"), pytest.importorskip("gymnasium")
+    compared = 0
+    for name in ("ant", "half_cheetah", "humanoid", "pusher", "walker2d_v5"):
+        path = Path(gymnasium.__file__).parent / "envs" / "mujoco" / "assets" / f"{name}.xml"
+        robot = epode.load(path).build()
+        theirs = mujoco.MjModel.from_xml_path(str(path))
+        data = mujoco.MjData(theirs)
+        data.qpos[:] = robot.positions
+        mujoco.mj_forward(theirs, data)
+        for geom in robot.geoms:
+            its = robot.geom_name(geom)
+            if its and not isinstance(geom.shape, epode.Plane) and "plane" not in repr(geom):
+                assert geom.position == pytest.approx(data.geom(its).xpos, abs=1e-6) and robot.geom(its) is geom
+                compared += 1
+    assert compared >= 45
+    robot = epode.robot.from_text(CRATE).build()
+    assert robot.model.geom_names == [["floor"], [""]] and robot.geom("floor") is robot.geoms[0] and robot.geom_name(robot.geoms[1]) == ""
+    robot.world.step(0.002, steps=3)
+    assert {robot.geom_name(one.other_geom) for one in robot.contacts()} == {"floor"} and robot.contacts()[0].geom is robot.geoms[1]
+    with pytest.raises(KeyError, match="did you mean 'floor'"):
+        robot.geom("flor")
 
 
 def test_contacts_have_names_normals_to_the_link_and_forces_on_it():
