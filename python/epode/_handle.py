@@ -100,3 +100,9 @@ def flag(get: Callable[[Any], int], put: Callable[[Any, int], Any], doc: str) ->
 def switch(get: Callable[[Any], int], on: Callable[[Any], Any], off: Callable[[Any], Any], doc: str) -> Value[bool, object]:
     """A property that is true or false, and has a function for each."""
     return Value(lambda self: bool(get(self._handle)), lambda self, value: (on if value else off)(self._handle), doc=doc)
+
+
+def describe_fields(*classes: type) -> None:
+    """Give the constructors of dataclasses, which say nothing, the text of their class, which tells of its fields."""
+    for one in classes:
+        vars(one)["__init__"].__doc__ = one.__doc__

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import ArrayLike
 
 from . import c
-from ._handle import FloatArray, Object, Value, switch, three
+from ._handle import FloatArray, Object, Value, describe_fields, switch, three
 
 if TYPE_CHECKING:
     from .body import Body
@@ -211,3 +211,4 @@ def _number(name: str, axis: int) -> int:
 
 
 SETTINGS = [name for name, one in vars(Joint).items() if isinstance(one, property) and one.fset is not None]  # of World.joint
+describe_fields(Drive)

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import c
+from ._handle import describe_fields
 from .enums import CombineRule
 from .errors import RefusedError
 
@@ -74,7 +75,7 @@ def _solid(create: Callable[..., c.dGeomID], total: Callable[..., Any], dense: C
 
 @dataclasses.dataclass
 class Sphere(Shape):
-    """A ball."""
+    """A ball of a radius."""
     radius: float
     _create, _mass = _solid(c.dCreateSphere, c.dMassSetSphereTotal, c.dMassSetSphere, ["radius"])
 
@@ -90,7 +91,7 @@ class Box(Shape):
 
 @dataclasses.dataclass
 class Capsule(Shape):
-    """A cylinder along z with round caps; length is without them."""
+    """A cylinder along z with round caps, of a radius; length is without them."""
     radius: float
     length: float
     _create, _mass = _solid(c.dCreateCapsule, c.dMassSetCapsuleTotal, c.dMassSetCapsule, ["radius", "length"], True)
@@ -98,7 +99,7 @@ class Capsule(Shape):
 
 @dataclasses.dataclass
 class Cylinder(Shape):
-    """A cylinder along z."""
+    """A cylinder along z, of a radius and a length."""
     radius: float
     length: float
     _create, _mass = _solid(c.dCreateCylinder, c.dMassSetCylinderTotal, c.dMassSetCylinder, ["radius", "length"], True)
@@ -106,7 +107,7 @@ class Cylinder(Shape):
 
 @dataclasses.dataclass
 class Cone(Shape):
-    """A cone along z with its apex up; the origin is the centre of mass."""
+    """A cone along z with its apex up, of the radius of its base and a length; the origin is the centre of mass."""
     radius: float
     length: float
     _create, _mass = _solid(c.dCreateCone, c.dMassSetConeTotal, c.dMassSetCone, ["radius", "length"], True)
@@ -114,7 +115,7 @@ class Cone(Shape):
 
 @dataclasses.dataclass
 class TaperedCapsule(Shape):
-    """The hull of two balls along z, radius2 above radius1; the origin is the centre of mass."""
+    """The hull of two balls along z, radius2 above radius1, length between their centres; the origin is the centre of mass."""
     radius1: float
     radius2: float
     length: float
@@ -143,7 +144,7 @@ class Plane(Shape):
 
 @dataclasses.dataclass(eq=False)
 class Convex(Shape):
-    """The convex hull of points, an (n, 3) array."""
+    """The convex hull of points, an (n, 3) array, of at most max_vertices; 0: of all that it needs."""
     points: ArrayLike
     max_vertices: int = 0
 
@@ -209,7 +210,8 @@ def decompose(mesh: Mesh, *, tolerance: float = 0.0, max_parts: int = 32, max_ve
 
 @dataclasses.dataclass(eq=False)
 class HeightField(Shape):
-    """Ground from heights[j, i] over a rectangle of width (x) by depth (y), its middle at the origin, z up."""
+    """Ground from heights[j, i] over a rectangle of width (x) by depth (y), its middle at the origin, z up; thickness: of the ground
+    below its lowest point."""
     heights: ArrayLike
     width: float
     depth: float
@@ -261,3 +263,6 @@ class Material:
         for name in ("friction_rule", "bounce_rule", "rolling_friction_rule"):
             values[name] = CombineRule(values[name])
         return cls(**values)
+
+
+describe_fields(Sphere, Box, Capsule, Cylinder, Cone, TaperedCapsule, Ellipsoid, Plane, Convex, Mesh, Decomposition, HeightField, Material)

@@ -153,3 +153,10 @@ def test_constructors_describe_their_arguments(init):
     assert text and "Initialize self" not in text
     for name in list(inspect.signature(init).parameters)[1:]:
         assert name in text, name
+
+
+@pytest.mark.parametrize("one", [epode.Sphere, epode.Box, epode.Capsule, epode.Cone, epode.Mesh, epode.HeightField, epode.Material, epode.Drive])
+def test_so_do_those_of_shapes(one):
+    assert inspect.getdoc(one.__init__) == inspect.getdoc(one)
+    words = inspect.getdoc(one).replace("_", " ")
+    assert sum(name.split("_")[0] in words for name in list(inspect.signature(one).parameters)) >= min(2, len(inspect.signature(one).parameters))
