@@ -17,6 +17,8 @@ the words before it in brackets, "[dGeomSet, dJointSet*Param] moving ..." (with 
 stands for another chapter's. Who may be given NULL says so in its text, and refuses no null pointer."""
 import dataclasses
 import fnmatch
+import glob
+import os
 import re
 
 SOURCES = ("guide", "0.16", "ours")
@@ -303,3 +305,14 @@ def runs(text):
         part = next((c for c in reversed(parts) if c.begin < begin), None)
         result.append(Run(said, begin, body, stop, _functions(blank[body:stop], body, line_of), part))
         position = stop
+
+
+def texts(folder):
+    """{function: its entry in the manual} of all headers of a folder."""
+    found = {}
+    for path in sorted(glob.glob(os.path.join(folder, "*.h"))):
+        with open(path, encoding="utf-8") as f:
+            for run in runs(f.read()):
+                for function in run.functions:
+                    found.setdefault(function.name, run.text_of(function.name))
+    return found

@@ -7,68 +7,20 @@ types of all of it for type checkers; and coverage.json, which says of each func
 
 A parameter's type tells what it becomes: a handle, a number, fixed numbers of reals that are read, or (not const)
 written and returned; a structure is passed as an object. Whatever needs more is in rules.py."""
-import glob
 import json
 import os
 import re
 import sys
 
 sys.path.insert(0, os.path.join(sys.argv[1], "tools"))
-import c_functions
 import header_docs
 import rules
+from c_functions import FIXED, HANDLES, SCALARS, enumerators, functions, preprocessed, structures
 
-HANDLES = {"dWorldID": "World", "dBodyID": "Body", "dJointID": "Joint", "dJointGroupID": "Group",
-           "dHeightfieldDataID": "Heights", "dTriMeshDataID": "Mesh", "dGeomID": "Geom", "dSpaceID": "Space"}
-SCALARS = {"dReal": "double", "double": "double", "int": "int", "unsigned": "unsigned", "unsigned int": "unsigned",
-           "unsigned long": "unsigned long", "size_t": "size_t", "dsizeint": "size_t", "dJointType": "int"}
-FIXED = {"dVector3": 3, "dVector4": 4, "dQuaternion": 4, "dMatrix3": 12, "dMatrix4": 16, "dReal[4]": 4, "dReal[6]": 6}
 # What a type checker reads of arrays: FloatArray is numpy's, of float64.
 ARRAY_IN, ARRAY_OUT = "ArrayLike", "FloatArray"
 RETURNED = [(r"Rotation", "matrix_of(r)"), (r"Quaternion", "array_of(r, 4)"), (r"LastTransform", "array_of(r, 16)"),
             (r"", "array_of(r, 3)")]
-
-
-def type_and_name(parameter, index):
-    callback = re.fullmatch(r"(\w+) ?\( ?\* ?(\w+)\) ?\((.*)\)", parameter)
-    if callback:
-        return "callback", callback[2]
-    whole = re.fullmatch(r"(.*?[ *])(\w+)((?:\[\d*\])?)", parameter)
-    bare = parameter.replace("const ", "").strip()
-    if not whole or bare in SCALARS or bare in HANDLES:
-        return parameter, f"arg{index}"
-    return whole[1].strip().replace(" *", "*") + whole[3], whole[2]
-
-
-def functions(text):
-    for m in re.finditer(r"EPODE_EXPORTED ([^;{]*?)(\bd[A-Z]\w*) ?\(([^;]*)\);", text):
-        yield (m[1].replace("EPODE_EXPORTED", "").strip(), m[2],
-               [type_and_name(p, i) for i, p in enumerate(c_functions.split(m[3]))])
-
-
-FIELD = re.compile(r"^(const )?(\w+(?: \w+)*?) ?(\*?) ?(\w+)((?:\[\d+\])?)$")
-
-
-def structures(text):
-    """{name: [(type, field)]} of structures whose fields are numbers, vectors, structures and handles."""
-    found = {}
-    for m in re.finditer(r"struct (?P<tag>d\w+ )?\{(?P<body>[^{}]*)\} ?(?P<name>d\w+)?;", text):
-        fields = [FIELD.match(f.strip()) for f in m["body"].split(";") if f.strip()]
-        name = m["name"] or (m["tag"] or "").strip()
-        if name and all(f and not f[3] for f in fields):
-            found[name] = [(f[2], f[4] + f[5] if f[5] and f[2] not in FIXED else f[4]) for f in fields]
-    return found
-
-
-def texts(engine):
-    """{function: its entry in the manual}."""
-    found = {}
-    for path in sorted(glob.glob(os.path.join(engine, "include", "ode", "*.h"))):
-        with open(path, encoding="utf-8") as f:
-            for run in header_docs.runs(f.read()):
-                for function in run.functions:
-                    found.setdefault(function.name, run.text_of(function.name))
-    return found
 
 
 class Parameter:
@@ -248,13 +200,6 @@ def function_stub(sig, doc):
     return f'{sig}:\n    """{text}"""'
 
 
-def enumerators(text):
-    names = []
-    for m in re.finditer(r"enum(?: \w+)? ?\{([^{}]*)\}", text):
-        names += [re.match(r"\w+", e.strip())[0] for e in m[1].split(",") if e.strip()]
-    return [n for n in dict.fromkeys(names) if n.startswith("d")]
-
-
 STUB_HEAD = """# Written by python/tools/generate.py from the public headers.
 from typing import Any, Callable, Iterator, Sequence
 
@@ -278,9 +223,9 @@ HEAD = '// Written by python/tools/generate.py from the public headers.\n#includ
 
 def main():
     engine, cc, output, parts = sys.argv[1], sys.argv[2], sys.argv[3], int(sys.argv[4])
-    text = c_functions.preprocessed(os.path.join(engine, "include"), cc)
+    text = preprocessed(os.path.join(engine, "include"), cc)
     every = list({name: (r, name, typed) for r, name, typed in functions(text)}.values())
-    docs, all_structs = texts(engine), structures(text)
+    docs, all_structs = header_docs.texts(os.path.join(engine, "include", "ode")), structures(text)
     all_structs["#names"] = {name for _, name, _ in every}
     structs, codes, coverage = {"#names": all_structs["#names"]}, [], {}
     bound_structs, stubs, texts_of_written = [], [], []
