@@ -1,1 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
 
+//! Rigid bodies, joints and contacts: the engine Epode, safely.
+//!
+//! ```
+//! use epode::{BodyDef, GeomDef, Shape, World};
+//!
+//! # fn main() -> epode::Result<()> {
+//! let mut world = World::new()?; // gravity is (0, 0, -9.81)
+//! world.add_geom(&GeomDef::new(Shape::ground()))?;
+//! let ball = world.add_body(&BodyDef::new().position([0.0, 0.0, 2.0]).shape(Shape::Sphere { radius: 0.2 }))?;
+//! for _ in 0..200 {
+//!     world.step(0.01)?;
+//! }
+//! assert!((world.body(ball)?.position()[2] - 0.2).abs() < 1e-3);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! - A [`World`] owns everything in it. Bodies, joints and geoms are named by handles ([`BodyId`], [`JointId`], [`GeomId`]): numbers
+//!   that may be copied, kept anywhere and sent to other threads. [`World::body`] and its sisters lend a view for reading,
+//!   [`World::body_mut`] one for changing; a handle of what has been removed, or of another world, is an [`Error`], never another
+//!   object.
+//! - What the library refuses is an [`Error`] with its own text, and has changed nothing.
+//! - A callback may panic: the panic goes on when the step, which is completed, is over.
+//! - Worlds may be sent to other threads (`Send`), and each thread may step its own; one world is used by one thread at a time
+//!   (not `Sync`).
+//! - Numbers are [`Real`]: `f64`, or `f32` with the feature `single`, which links `libode_single`.
+//!
+//! Most methods are written from the C headers with their texts, so names such as `dBodySetPosition` in them are those of C, and
+//! `0` for an object is `None` here.
+#![warn(missing_docs)]
+
+mod body;
+mod callbacks;
+mod character;
+mod contact;
+mod error;
+mod geom;
+mod handle;
+mod joint;
+mod query;
+mod shape;
+mod state;
+mod table;
+mod values;
+mod world;
+
+#[rustfmt::skip]
+mod generated {
+    pub mod body;
+    pub mod enums;
+    pub mod geom;
+    pub mod joint;
+    pub mod structures;
+    pub mod world;
+}
+
+/// What the generated files use.
+mod prelude {
+    pub(crate) use crate::error::{call, sure, Result};
+    pub(crate) use crate::generated::enums::*;
+    pub(crate) use crate::generated::structures::*;
+    pub(crate) use crate::handle::{BodyId, GeomId, JointId};
+    pub(crate) use crate::table::Shared;
+    pub(crate) use crate::values::*;
+    pub(crate) use crate::{Body, BodyMut, Geom, GeomMut, Joint, JointMut, World};
+    pub(crate) use epode_sys as sys;
+}
+
+pub use body::{Body, BodyDef, BodyMut};
+pub use callbacks::{Moved, Touching};
+pub use contact::{Cause, Contact, ContactEvent, Contacts, Event};
+pub use error::{on_message, Error, ErrorKind, Result};
+pub use generated::enums::*;
+pub use generated::structures::*;
+pub use geom::{Geom, GeomDef, GeomMut};
+pub use handle::{BodyId, GeomId, JointId};
+pub use joint::{Joint, JointDef, JointMut};
+pub use query::{Distance, Filter, Hit};
+pub use shape::Shape;
+pub use state::Fields;
+pub use values::{Mass, Mat3, Param, Quat, Real, Vec3};
+pub use world::{Method, World, WorldDef};

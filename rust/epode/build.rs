@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Tests and examples of this crate find the library where epode-sys has found it.
+fn main() {
+    if let (Ok(folder), false) = (std::env::var("DEP_ODE_LIB_DIR"), cfg!(windows)) {
+        println!("cargo:rustc-link-arg=-Wl,-rpath,{folder}");
+    }
+}
