@@ -49,7 +49,7 @@ class Method:
     """A method of a view, from a C function."""
 
     def __init__(self, name, result, parameters, api):
-        self.name, self.api = name, api
+        self.name, self.api, self.c_result = name, api, result
         typed = [split_parameter(p, i) for i, p in enumerate(parameters)]
         self.of = OF[typed[0][0]]
         reads = re.search(r"Get|^d\w+?Is[A-Z]|PointDepth|VectorTo|VectorFrom|GetPosRel|ImpulseToForce", name)
@@ -153,9 +153,13 @@ class Method:
         kept = returned if sure else f"Result<{returned}>"
         guard = f'        self.finish();\n' if self.name in ("dCharacterMove", "dCharacterWalk") else ""
         cast = "        let r = r as i32;\n" if self.result and self.result[1].endswith("of_number(r)") else ""
+        body = (f"        {bound}{how}(|| unsafe {{ sys::{self.name}({', '.join(self.passed)}) }}){ok};\n{guard}{cast}        {wrapped}\n")
+        if values == "r" or not results:
+            body = f"        {how}(|| unsafe {{ sys::{self.name}({', '.join(self.passed)}) }})\n"
+        if not results and self.c_result != "void":
+            body = body.replace(" })\n", "; })\n")
         return (f"{doc}    ///\n    /// {extra}.\n    pub fn {method_name(self.name)}({arguments}) -> {kept} {{\n{before}"
-                f"        {bound}{how}(|| unsafe {{ sys::{self.name}({', '.join(self.passed)}) }}){ok};\n{guard}{cast}"
-                f"        {wrapped}\n    }}\n").replace(" -> ()", "").replace("        ()\n", "")
+                f"{body}    }}\n").replace(" -> ()", "").replace("        ()\n", "")
 
 
 def by_value(text):

@@ -9,7 +9,7 @@ use std::mem::{align_of, offset_of, size_of};
 use std::path::PathBuf;
 use std::process::Command;
 
-#[allow(dead_code)]
+#[rustfmt::skip]
 mod names;
 
 const ROBOTS: bool = cfg!(feature = "robots");

@@ -111,7 +111,16 @@ pub struct BodyDef<'a> {
 impl Default for BodyDef<'_> {
     fn default() -> Self {
         let (zero, weight) = ([0.0; 3], Weight::Density(1000.0));
-        Self { position: zero, quaternion: [1.0, 0.0, 0.0, 0.0], linear_vel: zero, angular_vel: zero, geoms: Vec::new(), weight, kinematic: false, tag: 0 }
+        Self {
+            position: zero,
+            quaternion: [1.0, 0.0, 0.0, 0.0],
+            linear_vel: zero,
+            angular_vel: zero,
+            geoms: Vec::new(),
+            weight,
+            kinematic: false,
+            tag: 0,
+        }
     }
 }
 

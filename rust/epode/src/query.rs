@@ -112,14 +112,20 @@ impl World {
     pub fn ray_all(&self, origin: Vec3, direction: Vec3, length: Real, filter: &Filter<'_>) -> Result<Vec<Hit>> {
         let (origin, direction) = (pad3(origin), pad3(direction));
         let (from, along) = (origin.as_ptr(), direction.as_ptr());
-        let hits = self.growing(filter, empty(), |f, to, capacity| unsafe {
-            sys::dSpaceRayAll(self.space(), from, along, length, f, to, capacity)
-        })?;
+        let hits = self
+            .growing(filter, empty(), |f, to, capacity| unsafe { sys::dSpaceRayAll(self.space(), from, along, length, f, to, capacity) })?;
         Ok(hits.iter().filter_map(|hit| self.hit(hit)).collect())
     }
 
     /// Casts many rays at once, on so many threads (0: one for each processor): the hit of each. C: `dSpaceRayBatch`.
-    pub fn ray_batch(&self, origins: &[Vec3], directions: &[Vec3], lengths: &[Real], filter: &Filter<'_>, threads: i32) -> Result<Vec<Option<Hit>>> {
+    pub fn ray_batch(
+        &self,
+        origins: &[Vec3],
+        directions: &[Vec3],
+        lengths: &[Real],
+        filter: &Filter<'_>,
+        threads: i32,
+    ) -> Result<Vec<Option<Hit>>> {
         let count = i32::try_from(origins.len()).ok().filter(|_| origins.len() == directions.len() && origins.len() == lengths.len());
         let Some(count) = count else { return Self::refuse("each ray has an origin, a direction and a length") };
         let mut hits = vec![empty(); origins.len()];
@@ -131,9 +137,8 @@ impl World {
     /// The geoms that touch or overlap a geom. C: `dSpaceOverlap`.
     pub fn overlaps(&self, geom: GeomId, filter: &Filter<'_>) -> Result<Vec<GeomId>> {
         let raw = self.shared().geom(geom)?;
-        let found = self.growing(filter, std::ptr::null_mut(), |f, to, capacity| unsafe {
-            sys::dSpaceOverlap(self.space(), raw, f, to, capacity)
-        })?;
+        let found = self
+            .growing(filter, std::ptr::null_mut(), |f, to, capacity| unsafe { sys::dSpaceOverlap(self.space(), raw, f, to, capacity) })?;
         Ok(found.into_iter().filter_map(|geom| self.shared().geom_of(geom)).collect())
     }
 
@@ -155,7 +160,12 @@ impl World {
 
     /// A query whose results have no known number: asked again with more room while there are more. (A filter of the program may
     /// answer otherwise the second time.)
-    fn growing<T: Copy>(&self, filter: &Filter<'_>, fill: T, query: impl Fn(*const sys::dQueryFilter, *mut T, i32) -> i32) -> Result<Vec<T>> {
+    fn growing<T: Copy>(
+        &self,
+        filter: &Filter<'_>,
+        fill: T,
+        query: impl Fn(*const sys::dQueryFilter, *mut T, i32) -> i32,
+    ) -> Result<Vec<T>> {
         let mut all = vec![fill; 16];
         loop {
             let capacity = i32::try_from(all.len()).or_else(|_| Self::refuse("too many results"))?;

@@ -61,9 +61,8 @@ impl World {
     }
     /// What [`save_state`](Self::save_state) returns, as the difference from another state. C: `dWorldGetStateDelta`.
     pub fn save_state_delta(&self, base: &[u8]) -> Result<Vec<u8>> {
-        let delta = |to: *mut u8, size| {
-            call(|| unsafe { sys::dWorldGetStateDelta(self.raw(), base.as_ptr().cast(), base.len(), to.cast(), size) })
-        };
+        let delta =
+            |to: *mut u8, size| call(|| unsafe { sys::dWorldGetStateDelta(self.raw(), base.as_ptr().cast(), base.len(), to.cast(), size) });
         let mut bytes = vec![0u8; delta(std::ptr::null_mut(), 0)?];
         delta(bytes.as_mut_ptr(), bytes.len())?;
         Ok(bytes)
@@ -111,13 +110,12 @@ impl World {
     /// Writes the world to a file. C: `dWorldSave`.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         let bytes = self.to_bytes()?;
-        std::fs::write(path.as_ref(), bytes)
-            .map_err(|error| Error::new(ErrorKind::Failed, format!("{}: {error}", path.as_ref().display())))
+        std::fs::write(path.as_ref(), bytes).map_err(|error| Error::new(ErrorKind::Failed, format!("{}: {error}", path.as_ref().display())))
     }
     /// The world of a file that [`save`](Self::save), the command or C has written. C: `dWorldLoad`.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
-        let bytes = std::fs::read(path.as_ref())
-            .map_err(|error| Error::new(ErrorKind::Failed, format!("{}: {error}", path.as_ref().display())))?;
+        let bytes =
+            std::fs::read(path.as_ref()).map_err(|error| Error::new(ErrorKind::Failed, format!("{}: {error}", path.as_ref().display())))?;
         Self::from_bytes(&bytes)
     }
     /// The world that [`to_bytes`](Self::to_bytes) has written. C: `dWorldLoadFromBuffer`.
@@ -147,7 +145,9 @@ impl World {
         let joints = (raw_joints(self.raw()), raw_joints(copy.raw()));
         let geoms = (raw_geoms(self.space(), &ours), raw_geoms(copy.space(), &theirs));
         let (from, to) = (self.shared(), copy.shared());
-        copy_places(&from.bodies.borrow(), &mut to.bodies.borrow_mut(), (&addresses(&ours), &addresses(&theirs)), |data, new| new.tag = data.tag)?;
+        copy_places(&from.bodies.borrow(), &mut to.bodies.borrow_mut(), (&addresses(&ours), &addresses(&theirs)), |data, new| {
+            new.tag = data.tag
+        })?;
         let places = (addresses(&joints.0), addresses(&joints.1));
         copy_places(&from.joints.borrow(), &mut to.joints.borrow_mut(), (&places.0, &places.1), |data, new| new.tag = data.tag)?;
         let places = (addresses(&geoms.0), addresses(&geoms.1));
@@ -246,8 +246,12 @@ fn members(space: sys::dSpaceID, all: &mut Vec<sys::dGeomID>) {
 }
 
 /// Puts the objects of a copy into the places that they have in the original.
-fn copy_places<D: Default>(from: &crate::table::Slots<D>, to: &mut crate::table::Slots<D>, (ours, theirs): (&[usize], &[usize]),
-                           tag: impl Fn(&D, &mut D)) -> Result<()> {
+fn copy_places<D: Default>(
+    from: &crate::table::Slots<D>,
+    to: &mut crate::table::Slots<D>,
+    (ours, theirs): (&[usize], &[usize]),
+    tag: impl Fn(&D, &mut D),
+) -> Result<()> {
     if ours.len() != theirs.len() {
         return Err(Error::new(ErrorKind::Failed, "the copy has another number of objects"));
     }

@@ -154,8 +154,7 @@ impl Body<'_> {
     ///
     /// C: `dBodyGetNumJoints`.
     pub fn num_joints(&self) -> i32 {
-        let r = sure(|| unsafe { sys::dBodyGetNumJoints(self.raw()) });
-        r
+        sure(|| unsafe { sys::dBodyGetNumJoints(self.raw()) })
     }
 
     /// 1 if the body is kinematic, else 0.
@@ -200,8 +199,7 @@ impl Body<'_> {
     ///
     /// C: `dBodyGetAutoDisableLinearThreshold`.
     pub fn auto_disable_linear_threshold(&self) -> Real {
-        let r = sure(|| unsafe { sys::dBodyGetAutoDisableLinearThreshold(self.raw()) });
-        r
+        sure(|| unsafe { sys::dBodyGetAutoDisableLinearThreshold(self.raw()) })
     }
 
     /// The averaged angular speed up to which the body counts as idle,
@@ -209,32 +207,28 @@ impl Body<'_> {
     ///
     /// C: `dBodyGetAutoDisableAngularThreshold`.
     pub fn auto_disable_angular_threshold(&self) -> Real {
-        let r = sure(|| unsafe { sys::dBodyGetAutoDisableAngularThreshold(self.raw()) });
-        r
+        sure(|| unsafe { sys::dBodyGetAutoDisableAngularThreshold(self.raw()) })
     }
 
     /// Over how many steps the body's velocities are averaged.
     ///
     /// C: `dBodyGetAutoDisableAverageSamplesCount`.
     pub fn auto_disable_average_samples_count(&self) -> i32 {
-        let r = sure(|| unsafe { sys::dBodyGetAutoDisableAverageSamplesCount(self.raw()) });
-        r
+        sure(|| unsafe { sys::dBodyGetAutoDisableAverageSamplesCount(self.raw()) })
     }
 
     /// How many idle steps the body needs before it is disabled.
     ///
     /// C: `dBodyGetAutoDisableSteps`.
     pub fn auto_disable_steps(&self) -> i32 {
-        let r = sure(|| unsafe { sys::dBodyGetAutoDisableSteps(self.raw()) });
-        r
+        sure(|| unsafe { sys::dBodyGetAutoDisableSteps(self.raw()) })
     }
 
     /// How much idle time the body needs before it is disabled, s.
     ///
     /// C: `dBodyGetAutoDisableTime`.
     pub fn auto_disable_time(&self) -> Real {
-        let r = sure(|| unsafe { sys::dBodyGetAutoDisableTime(self.raw()) });
-        r
+        sure(|| unsafe { sys::dBodyGetAutoDisableTime(self.raw()) })
     }
 
     /// Non-zero if the body disables itself, else 0.
@@ -249,40 +243,35 @@ impl Body<'_> {
     ///
     /// C: `dBodyGetLinearDamping`.
     pub fn linear_damping(&self) -> Real {
-        let r = sure(|| unsafe { sys::dBodyGetLinearDamping(self.raw()) });
-        r
+        sure(|| unsafe { sys::dBodyGetLinearDamping(self.raw()) })
     }
 
     /// The scale of the body's angular damping.
     ///
     /// C: `dBodyGetAngularDamping`.
     pub fn angular_damping(&self) -> Real {
-        let r = sure(|| unsafe { sys::dBodyGetAngularDamping(self.raw()) });
-        r
+        sure(|| unsafe { sys::dBodyGetAngularDamping(self.raw()) })
     }
 
     /// The linear speed from which on damping acts on the body, m/s.
     ///
     /// C: `dBodyGetLinearDampingThreshold`.
     pub fn linear_damping_threshold(&self) -> Real {
-        let r = sure(|| unsafe { sys::dBodyGetLinearDampingThreshold(self.raw()) });
-        r
+        sure(|| unsafe { sys::dBodyGetLinearDampingThreshold(self.raw()) })
     }
 
     /// The angular speed from which on damping acts on the body, rad/s.
     ///
     /// C: `dBodyGetAngularDampingThreshold`.
     pub fn angular_damping_threshold(&self) -> Real {
-        let r = sure(|| unsafe { sys::dBodyGetAngularDampingThreshold(self.raw()) });
-        r
+        sure(|| unsafe { sys::dBodyGetAngularDampingThreshold(self.raw()) })
     }
 
     /// The angular speed that the body is held to, rad/s.
     ///
     /// C: `dBodyGetMaxAngularSpeed`.
     pub fn max_angular_speed(&self) -> Real {
-        let r = sure(|| unsafe { sys::dBodyGetMaxAngularSpeed(self.raw()) });
-        r
+        sure(|| unsafe { sys::dBodyGetMaxAngularSpeed(self.raw()) })
     }
 }
 
@@ -293,16 +282,14 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodySetHybridStepper`.
     pub fn set_hybrid_stepper(&mut self, stepper: Stepper) -> Result<()> {
-        call(|| unsafe { sys::dBodySetHybridStepper(self.raw(), stepper.number()) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetHybridStepper(self.raw(), stepper.number()) })
     }
 
     /// Position of the body's origin, which is its centre of mass, m.
     ///
     /// C: `dBodySetPosition`; `xyz` is (x, y, z).
     pub fn set_position(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dBodySetPosition(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetPosition(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set the body's orientation, from body to world, by the rotation matrix R (12 reals,
@@ -311,8 +298,7 @@ impl BodyMut<'_> {
     /// C: `dBodySetRotation`.
     pub fn set_rotation(&mut self, r: Mat3) -> Result<()> {
         let r = pad33(r);
-        call(|| unsafe { sys::dBodySetRotation(self.raw(), r.as_ptr()) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetRotation(self.raw(), r.as_ptr()) })
     }
 
     /// Set the body's orientation, from body to world, by the quaternion q (4 reals,
@@ -321,24 +307,21 @@ impl BodyMut<'_> {
     /// C: `dBodySetQuaternion`.
     pub fn set_quaternion(&mut self, q: Quat) -> Result<()> {
         let q = same(q);
-        call(|| unsafe { sys::dBodySetQuaternion(self.raw(), q.as_ptr()) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetQuaternion(self.raw(), q.as_ptr()) })
     }
 
     /// Set the velocity of the body's centre of mass to (x, y, z), m/s.
     ///
     /// C: `dBodySetLinearVel`; `xyz` is (x, y, z).
     pub fn set_linear_vel(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dBodySetLinearVel(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetLinearVel(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set the body's angular velocity to (x, y, z), rad/s.
     ///
     /// C: `dBodySetAngularVel`; `xyz` is (x, y, z).
     pub fn set_angular_vel(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dBodySetAngularVel(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetAngularVel(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Add the force (fx, fy, fz), N, world frame, at the body's centre of mass.
@@ -347,8 +330,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodyAddForce`; `force` is (fx, fy, fz).
     pub fn add_force(&mut self, force: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dBodyAddForce(self.raw(), force[0], force[1], force[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodyAddForce(self.raw(), force[0], force[1], force[2]) })
     }
 
     /// Add the torque (fx, fy, fz), N m, world frame.
@@ -357,8 +339,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodyAddTorque`; `force` is (fx, fy, fz).
     pub fn add_torque(&mut self, force: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dBodyAddTorque(self.raw(), force[0], force[1], force[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodyAddTorque(self.raw(), force[0], force[1], force[2]) })
     }
 
     /// Add the force (fx, fy, fz), N, in the body's axes, at the body's centre of mass.
@@ -367,8 +348,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodyAddRelForce`; `force` is (fx, fy, fz).
     pub fn add_rel_force(&mut self, force: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dBodyAddRelForce(self.raw(), force[0], force[1], force[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodyAddRelForce(self.raw(), force[0], force[1], force[2]) })
     }
 
     /// Add the torque (fx, fy, fz), N m, in the body's axes.
@@ -377,8 +357,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodyAddRelTorque`; `force` is (fx, fy, fz).
     pub fn add_rel_torque(&mut self, force: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dBodyAddRelTorque(self.raw(), force[0], force[1], force[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodyAddRelTorque(self.raw(), force[0], force[1], force[2]) })
     }
 
     /// Add the force (fx, fy, fz), N, world frame, at the world's point (px, py, pz), with
@@ -388,8 +367,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodyAddForceAtPos`; `force` is (fx, fy, fz); `point` is (px, py, pz).
     pub fn add_force_at_pos(&mut self, force: Vec3, point: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dBodyAddForceAtPos(self.raw(), force[0], force[1], force[2], point[0], point[1], point[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodyAddForceAtPos(self.raw(), force[0], force[1], force[2], point[0], point[1], point[2]) })
     }
 
     /// Add the force (fx, fy, fz), N, world frame, at the point (px, py, pz) of the
@@ -399,8 +377,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodyAddForceAtRelPos`; `force` is (fx, fy, fz); `point` is (px, py, pz).
     pub fn add_force_at_rel_pos(&mut self, force: Vec3, point: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dBodyAddForceAtRelPos(self.raw(), force[0], force[1], force[2], point[0], point[1], point[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodyAddForceAtRelPos(self.raw(), force[0], force[1], force[2], point[0], point[1], point[2]) })
     }
 
     /// Add the force (fx, fy, fz), N, in the body's axes, at the world's point (px, py,
@@ -410,8 +387,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodyAddRelForceAtPos`; `force` is (fx, fy, fz); `point` is (px, py, pz).
     pub fn add_rel_force_at_pos(&mut self, force: Vec3, point: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dBodyAddRelForceAtPos(self.raw(), force[0], force[1], force[2], point[0], point[1], point[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodyAddRelForceAtPos(self.raw(), force[0], force[1], force[2], point[0], point[1], point[2]) })
     }
 
     /// Add the force (fx, fy, fz), N, in the body's axes, at the point (px, py, pz)
@@ -421,8 +397,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodyAddRelForceAtRelPos`; `force` is (fx, fy, fz); `point` is (px, py, pz).
     pub fn add_rel_force_at_rel_pos(&mut self, force: Vec3, point: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dBodyAddRelForceAtRelPos(self.raw(), force[0], force[1], force[2], point[0], point[1], point[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodyAddRelForceAtRelPos(self.raw(), force[0], force[1], force[2], point[0], point[1], point[2]) })
     }
 
     /// Set the sum of the forces for the next step to (x, y, z), N, world frame.
@@ -431,8 +406,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodySetForce`; `xyz` is (x, y, z).
     pub fn set_force(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dBodySetForce(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetForce(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set the sum of the torques for the next step to (x, y, z), N m, world frame.
@@ -441,8 +415,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodySetTorque`; `xyz` is (x, y, z).
     pub fn set_torque(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dBodySetTorque(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetTorque(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set how the body's orientation is advanced (mode). 0 (default): q += h/2
@@ -451,8 +424,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodySetFiniteRotationMode`.
     pub fn set_finite_rotation_mode(&mut self, mode: bool) -> Result<()> {
-        call(|| unsafe { sys::dBodySetFiniteRotationMode(self.raw(), i32::from(mode)) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetFiniteRotationMode(self.raw(), i32::from(mode)) })
     }
 
     /// Set the axis of fast spin to (x, y, z), world frame, normalised here; (0,
@@ -460,8 +432,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodySetFiniteRotationAxis`; `xyz` is (x, y, z).
     pub fn set_finite_rotation_axis(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dBodySetFiniteRotationAxis(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetFiniteRotationAxis(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Make the body dynamic, which is the default, with the mass that it had.
@@ -471,8 +442,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodySetDynamic`.
     pub fn set_dynamic(&mut self) -> Result<()> {
-        call(|| unsafe { sys::dBodySetDynamic(self.raw()) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetDynamic(self.raw()) })
     }
 
     /// Make the body kinematic; it keeps its mass in store.
@@ -482,8 +452,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodySetKinematic`.
     pub fn set_kinematic(&mut self) -> Result<()> {
-        call(|| unsafe { sys::dBodySetKinematic(self.raw()) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetKinematic(self.raw()) })
     }
 
     /// Wake the body and restart its idle counters. New bodies are enabled.
@@ -493,8 +462,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodyEnable`.
     pub fn enable(&mut self) -> Result<()> {
-        call(|| unsafe { sys::dBodyEnable(self.raw()) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodyEnable(self.raw()) })
     }
 
     /// Put the body to sleep.
@@ -504,16 +472,14 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodyDisable`.
     pub fn disable(&mut self) -> Result<()> {
-        call(|| unsafe { sys::dBodyDisable(self.raw()) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodyDisable(self.raw()) })
     }
 
     /// Set whether the world's gravity acts on the body (mode not 0); default 1.
     ///
     /// C: `dBodySetGravityMode`.
     pub fn set_gravity_mode(&mut self, mode: bool) -> Result<()> {
-        call(|| unsafe { sys::dBodySetGravityMode(self.raw(), i32::from(mode)) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetGravityMode(self.raw(), i32::from(mode)) })
     }
 
     /// Set whether the gyroscopic torque -w x I w is applied to the body (enabled not
@@ -521,8 +487,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodySetGyroscopicMode`.
     pub fn set_gyroscopic_mode(&mut self, enabled: bool) -> Result<()> {
-        call(|| unsafe { sys::dBodySetGyroscopicMode(self.raw(), i32::from(enabled)) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetGyroscopicMode(self.raw(), i32::from(enabled)) })
     }
 
     /// Set the averaged linear speed linear\_average\_threshold, m/s, up to
@@ -530,8 +495,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodySetAutoDisableLinearThreshold`.
     pub fn set_auto_disable_linear_threshold(&mut self, linear_average_threshold: Real) -> Result<()> {
-        call(|| unsafe { sys::dBodySetAutoDisableLinearThreshold(self.raw(), linear_average_threshold) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetAutoDisableLinearThreshold(self.raw(), linear_average_threshold) })
     }
 
     /// Set the averaged angular speed angular\_average\_threshold, rad/s,
@@ -539,8 +503,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodySetAutoDisableAngularThreshold`.
     pub fn set_auto_disable_angular_threshold(&mut self, angular_average_threshold: Real) -> Result<()> {
-        call(|| unsafe { sys::dBodySetAutoDisableAngularThreshold(self.raw(), angular_average_threshold) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetAutoDisableAngularThreshold(self.raw(), angular_average_threshold) })
     }
 
     /// Set over how many steps (average\_samples\_count) the body's
@@ -549,8 +512,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodySetAutoDisableAverageSamplesCount`.
     pub fn set_auto_disable_average_samples_count(&mut self, average_samples_count: u32) -> Result<()> {
-        call(|| unsafe { sys::dBodySetAutoDisableAverageSamplesCount(self.raw(), average_samples_count) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetAutoDisableAverageSamplesCount(self.raw(), average_samples_count) })
     }
 
     /// Set how many idle steps the body needs before it is disabled. The new value
@@ -558,8 +520,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodySetAutoDisableSteps`.
     pub fn set_auto_disable_steps(&mut self, steps: i32) -> Result<()> {
-        call(|| unsafe { sys::dBodySetAutoDisableSteps(self.raw(), steps) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetAutoDisableSteps(self.raw(), steps) })
     }
 
     /// Set how much idle time, s, the body needs before it is disabled. The new value
@@ -567,8 +528,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodySetAutoDisableTime`.
     pub fn set_auto_disable_time(&mut self, time: Real) -> Result<()> {
-        call(|| unsafe { sys::dBodySetAutoDisableTime(self.raw(), time) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetAutoDisableTime(self.raw(), time) })
     }
 
     /// Switch automatic disabling of the body on (do\_auto\_disable not 0) or off. Off
@@ -576,40 +536,35 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodySetAutoDisableFlag`.
     pub fn set_auto_disable_flag(&mut self, do_auto_disable: bool) -> Result<()> {
-        call(|| unsafe { sys::dBodySetAutoDisableFlag(self.raw(), i32::from(do_auto_disable)) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetAutoDisableFlag(self.raw(), i32::from(do_auto_disable)) })
     }
 
     /// Take all auto-disable settings over from the world.
     ///
     /// C: `dBodySetAutoDisableDefaults`.
     pub fn set_auto_disable_defaults(&mut self) -> Result<()> {
-        call(|| unsafe { sys::dBodySetAutoDisableDefaults(self.raw()) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetAutoDisableDefaults(self.raw()) })
     }
 
     /// Take all damping settings over from the world.
     ///
     /// C: `dBodySetDampingDefaults`.
     pub fn set_damping_defaults(&mut self) -> Result<()> {
-        call(|| unsafe { sys::dBodySetDampingDefaults(self.raw()) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetDampingDefaults(self.raw()) })
     }
 
     /// Set the scale of the body's linear damping, sensibly 0 ... 1; 0: no damping.
     ///
     /// C: `dBodySetLinearDamping`.
     pub fn set_linear_damping(&mut self, scale: Real) -> Result<()> {
-        call(|| unsafe { sys::dBodySetLinearDamping(self.raw(), scale) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetLinearDamping(self.raw(), scale) })
     }
 
     /// Set the scale of the body's angular damping, sensibly 0 ... 1; 0: no damping.
     ///
     /// C: `dBodySetAngularDamping`.
     pub fn set_angular_damping(&mut self, scale: Real) -> Result<()> {
-        call(|| unsafe { sys::dBodySetAngularDamping(self.raw(), scale) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetAngularDamping(self.raw(), scale) })
     }
 
     /// Set the scales of the body's linear (linear\_scale) and angular damping
@@ -617,8 +572,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodySetDamping`.
     pub fn set_damping(&mut self, linear_scale: Real, angular_scale: Real) -> Result<()> {
-        call(|| unsafe { sys::dBodySetDamping(self.raw(), linear_scale, angular_scale) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetDamping(self.raw(), linear_scale, angular_scale) })
     }
 
     /// Set the linear speed threshold, m/s, from which on damping acts on the
@@ -626,8 +580,7 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodySetLinearDampingThreshold`.
     pub fn set_linear_damping_threshold(&mut self, threshold: Real) -> Result<()> {
-        call(|| unsafe { sys::dBodySetLinearDampingThreshold(self.raw(), threshold) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetLinearDampingThreshold(self.raw(), threshold) })
     }
 
     /// Set the angular speed threshold, rad/s, from which on damping acts on
@@ -635,15 +588,13 @@ impl BodyMut<'_> {
     ///
     /// C: `dBodySetAngularDampingThreshold`.
     pub fn set_angular_damping_threshold(&mut self, threshold: Real) -> Result<()> {
-        call(|| unsafe { sys::dBodySetAngularDampingThreshold(self.raw(), threshold) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetAngularDampingThreshold(self.raw(), threshold) })
     }
 
     /// Set the angular speed max\_speed, rad/s, that the body is held to.
     ///
     /// C: `dBodySetMaxAngularSpeed`.
     pub fn set_max_angular_speed(&mut self, max_speed: Real) -> Result<()> {
-        call(|| unsafe { sys::dBodySetMaxAngularSpeed(self.raw(), max_speed) })?;
-        Ok(())
+        call(|| unsafe { sys::dBodySetMaxAngularSpeed(self.raw(), max_speed) })
     }
 }

@@ -163,8 +163,7 @@ impl Geom<'_> {
     ///
     /// C: `dGeomSphereGetRadius`.
     pub fn sphere_radius(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dGeomSphereGetRadius(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dGeomSphereGetRadius(self.raw()) })
     }
 
     /// How deep the world's point (x, y, z) is inside the sphere, m: positive inside, 0
@@ -172,8 +171,7 @@ impl Geom<'_> {
     ///
     /// C: `dGeomSpherePointDepth`; `xyz` is (x, y, z).
     pub fn sphere_point_depth(&self, xyz: Vec3) -> Result<Real> {
-        let r = call(|| unsafe { sys::dGeomSpherePointDepth(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(r)
+        call(|| unsafe { sys::dGeomSpherePointDepth(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Write the box's full side lengths to result: 3 reals, m.
@@ -189,8 +187,7 @@ impl Geom<'_> {
     ///
     /// C: `dGeomBoxPointDepth`; `xyz` is (x, y, z).
     pub fn box_point_depth(&self, xyz: Vec3) -> Result<Real> {
-        let r = call(|| unsafe { sys::dGeomBoxPointDepth(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(r)
+        call(|| unsafe { sys::dGeomBoxPointDepth(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Write the plane's unit outward normal and its distance from the origin along it,
@@ -208,8 +205,7 @@ impl Geom<'_> {
     ///
     /// C: `dGeomPlanePointDepth`; `xyz` is (x, y, z).
     pub fn plane_point_depth(&self, xyz: Vec3) -> Result<Real> {
-        let r = call(|| unsafe { sys::dGeomPlanePointDepth(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(r)
+        call(|| unsafe { sys::dGeomPlanePointDepth(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Write the capsule's radius to \*radius and its length to \*length, m.
@@ -231,8 +227,7 @@ impl Geom<'_> {
     ///
     /// C: `dGeomCapsulePointDepth`; `xyz` is (x, y, z).
     pub fn capsule_point_depth(&self, xyz: Vec3) -> Result<Real> {
-        let r = call(|| unsafe { sys::dGeomCapsulePointDepth(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(r)
+        call(|| unsafe { sys::dGeomCapsulePointDepth(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Write the cylinder's radius to \*radius and its length to \*length, m.
@@ -249,8 +244,7 @@ impl Geom<'_> {
     ///
     /// C: `dGeomTriMeshGetTriangleCount`.
     pub fn mesh_triangle_count(&self) -> Result<i32> {
-        let r = call(|| unsafe { sys::dGeomTriMeshGetTriangleCount(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dGeomTriMeshGetTriangleCount(self.raw()) })
     }
 
     /// Write the point (1 - u - v) a + u b + v c of triangle Index of the mesh g,
@@ -336,8 +330,7 @@ impl Geom<'_> {
     ///
     /// C: `dGeomConePointDepth`; `xyz` is (x, y, z).
     pub fn cone_point_depth(&self, xyz: Vec3) -> Result<Real> {
-        let r = call(|| unsafe { sys::dGeomConePointDepth(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(r)
+        call(|| unsafe { sys::dGeomConePointDepth(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Write the ellipsoid's radii to result, 3 reals, m.
@@ -354,8 +347,7 @@ impl Geom<'_> {
     ///
     /// C: `dGeomEllipsoidPointDepth`; `xyz` is (x, y, z).
     pub fn ellipsoid_point_depth(&self, xyz: Vec3) -> Result<Real> {
-        let r = call(|| unsafe { sys::dGeomEllipsoidPointDepth(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(r)
+        call(|| unsafe { sys::dGeomEllipsoidPointDepth(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Write the geom's radii to \*r1 and \*r2 and its length to \*length, m.
@@ -373,8 +365,7 @@ impl Geom<'_> {
     ///
     /// C: `dGeomTaperedCapsulePointDepth`; `xyz` is (x, y, z).
     pub fn tapered_capsule_point_depth(&self, xyz: Vec3) -> Result<Real> {
-        let r = call(|| unsafe { sys::dGeomTaperedCapsulePointDepth(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(r)
+        call(|| unsafe { sys::dGeomTaperedCapsulePointDepth(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// The mode that dGeomSetContinuous has set, dContinuousOff at first.
@@ -391,8 +382,7 @@ impl Geom<'_> {
     ///
     /// C: `dGeomTriMeshGetSolid`.
     pub fn mesh_solid(&self) -> Result<i32> {
-        let r = call(|| unsafe { sys::dGeomTriMeshGetSolid(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dGeomTriMeshGetSolid(self.raw()) })
     }
 }
 
@@ -403,8 +393,7 @@ impl GeomMut<'_> {
     ///
     /// C: `dGeomSetPosition`; `xyz` is (x, y, z).
     pub fn set_position(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dGeomSetPosition(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomSetPosition(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set the geom's rotation in the world to the matrix R, from the geom's frame to the
@@ -415,8 +404,7 @@ impl GeomMut<'_> {
     /// C: `dGeomSetRotation`.
     pub fn set_rotation(&mut self, r: Mat3) -> Result<()> {
         let r = pad33(r);
-        call(|| unsafe { sys::dGeomSetRotation(self.raw(), r.as_ptr()) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomSetRotation(self.raw(), r.as_ptr()) })
     }
 
     /// Set the geom's rotation in the world to the quaternion Q, of any length but zero.
@@ -426,8 +414,7 @@ impl GeomMut<'_> {
     /// C: `dGeomSetQuaternion`.
     pub fn set_quaternion(&mut self, q: Quat) -> Result<()> {
         let q = same(q);
-        call(|| unsafe { sys::dGeomSetQuaternion(self.raw(), q.as_ptr()) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomSetQuaternion(self.raw(), q.as_ptr()) })
     }
 
     /// Set the categories that the geom is in, one bit each; default: all.
@@ -437,8 +424,7 @@ impl GeomMut<'_> {
     ///
     /// C: `dGeomSetCategoryBits`.
     pub fn set_category_bits(&mut self, bits: u64) -> Result<()> {
-        call(|| unsafe { sys::dGeomSetCategoryBits(self.raw(), bits as _) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomSetCategoryBits(self.raw(), bits as _) })
     }
 
     /// Set the categories with which the geom collides, one bit each; default: all.
@@ -448,8 +434,7 @@ impl GeomMut<'_> {
     ///
     /// C: `dGeomSetCollideBits`.
     pub fn set_collide_bits(&mut self, bits: u64) -> Result<()> {
-        call(|| unsafe { sys::dGeomSetCollideBits(self.raw(), bits as _) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomSetCollideBits(self.raw(), bits as _) })
     }
 
     /// Let spaces find the geom again. New geoms are enabled.
@@ -458,8 +443,7 @@ impl GeomMut<'_> {
     ///
     /// C: `dGeomEnable`.
     pub fn enable(&mut self) -> Result<()> {
-        call(|| unsafe { sys::dGeomEnable(self.raw()) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomEnable(self.raw()) })
     }
 
     /// Let spaces skip the geom until dGeomEnable.
@@ -468,8 +452,7 @@ impl GeomMut<'_> {
     ///
     /// C: `dGeomDisable`.
     pub fn disable(&mut self) -> Result<()> {
-        call(|| unsafe { sys::dGeomDisable(self.raw()) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomDisable(self.raw()) })
     }
 
     /// Set the offset's position to (x, y, z), m, in the body's frame; its rotation
@@ -477,8 +460,7 @@ impl GeomMut<'_> {
     ///
     /// C: `dGeomSetOffsetPosition`; `xyz` is (x, y, z).
     pub fn set_offset_position(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dGeomSetOffsetPosition(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomSetOffsetPosition(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set the offset's rotation to the matrix R, from the geom's frame to the body's;
@@ -487,8 +469,7 @@ impl GeomMut<'_> {
     /// C: `dGeomSetOffsetRotation`.
     pub fn set_offset_rotation(&mut self, r: Mat3) -> Result<()> {
         let r = pad33(r);
-        call(|| unsafe { sys::dGeomSetOffsetRotation(self.raw(), r.as_ptr()) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomSetOffsetRotation(self.raw(), r.as_ptr()) })
     }
 
     /// Set the offset's rotation to the quaternion Q, of any length but zero, from
@@ -497,8 +478,7 @@ impl GeomMut<'_> {
     /// C: `dGeomSetOffsetQuaternion`.
     pub fn set_offset_quaternion(&mut self, q: Quat) -> Result<()> {
         let q = same(q);
-        call(|| unsafe { sys::dGeomSetOffsetQuaternion(self.raw(), q.as_ptr()) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomSetOffsetQuaternion(self.raw(), q.as_ptr()) })
     }
 
     /// Set the offset's position so that the geom is at the world's point (x, y,
@@ -506,8 +486,7 @@ impl GeomMut<'_> {
     ///
     /// C: `dGeomSetOffsetWorldPosition`; `xyz` is (x, y, z).
     pub fn set_offset_world_position(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dGeomSetOffsetWorldPosition(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomSetOffsetWorldPosition(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set the offset's rotation so that the geom has the rotation matrix R in
@@ -516,8 +495,7 @@ impl GeomMut<'_> {
     /// C: `dGeomSetOffsetWorldRotation`.
     pub fn set_offset_world_rotation(&mut self, r: Mat3) -> Result<()> {
         let r = pad33(r);
-        call(|| unsafe { sys::dGeomSetOffsetWorldRotation(self.raw(), r.as_ptr()) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomSetOffsetWorldRotation(self.raw(), r.as_ptr()) })
     }
 
     /// Set the offset's rotation so that the geom has the rotation Q in the
@@ -526,32 +504,28 @@ impl GeomMut<'_> {
     /// C: `dGeomSetOffsetWorldQuaternion`.
     pub fn set_offset_world_quaternion(&mut self, q: Quat) -> Result<()> {
         let q = same(q);
-        call(|| unsafe { sys::dGeomSetOffsetWorldQuaternion(self.raw(), q.as_ptr()) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomSetOffsetWorldQuaternion(self.raw(), q.as_ptr()) })
     }
 
     /// Drop the offset: the geom goes to the body's pose.
     ///
     /// C: `dGeomClearOffset`.
     pub fn clear_offset(&mut self) -> Result<()> {
-        call(|| unsafe { sys::dGeomClearOffset(self.raw()) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomClearOffset(self.raw()) })
     }
 
     /// Set the sphere's radius, m.
     ///
     /// C: `dGeomSphereSetRadius`.
     pub fn set_sphere_radius(&mut self, radius: Real) -> Result<()> {
-        call(|| unsafe { sys::dGeomSphereSetRadius(self.raw(), radius) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomSphereSetRadius(self.raw(), radius) })
     }
 
     /// Set the box's full side lengths to lx, ly, lz, m.
     ///
     /// C: `dGeomBoxSetLengths`; `lengths` is (lx, ly, lz).
     pub fn set_box_lengths(&mut self, lengths: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dGeomBoxSetLengths(self.raw(), lengths[0], lengths[1], lengths[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomBoxSetLengths(self.raw(), lengths[0], lengths[1], lengths[2]) })
     }
 
     /// Set the plane to the half-space a x + b y + c z \<= d of the world; the four
@@ -560,8 +534,7 @@ impl GeomMut<'_> {
     ///
     /// C: `dGeomPlaneSetParams`.
     pub fn set_plane_params(&mut self, a: Real, b: Real, c: Real, d: Real) -> Result<()> {
-        call(|| unsafe { sys::dGeomPlaneSetParams(self.raw(), a, b, c, d) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomPlaneSetParams(self.raw(), a, b, c, d) })
     }
 
     /// Set the capsule's radius and length, m.
@@ -570,16 +543,14 @@ impl GeomMut<'_> {
     ///
     /// C: `dGeomCapsuleSetParams`.
     pub fn set_capsule_params(&mut self, radius: Real, length: Real) -> Result<()> {
-        call(|| unsafe { sys::dGeomCapsuleSetParams(self.raw(), radius, length) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomCapsuleSetParams(self.raw(), radius, length) })
     }
 
     /// Set the cylinder's radius and length, m.
     ///
     /// C: `dGeomCylinderSetParams`.
     pub fn set_cylinder_params(&mut self, radius: Real, length: Real) -> Result<()> {
-        call(|| unsafe { sys::dGeomCylinderSetParams(self.raw(), radius, length) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomCylinderSetParams(self.raw(), radius, length) })
     }
 
     /// Change the height (m) while the feet stay where they are: to crouch and to stand up. Returns 1; 0 if there
@@ -597,8 +568,7 @@ impl GeomMut<'_> {
     ///
     /// C: `dCharacterSetPosition`; `xyz` is (x, y, z).
     pub fn set_character_position(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dCharacterSetPosition(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dCharacterSetPosition(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Move the character for a step of h seconds with a velocity that the program has worked out, gravity
@@ -637,8 +607,7 @@ impl GeomMut<'_> {
     /// C: `dCharacterSetVelocity`.
     pub fn set_character_velocity(&mut self, velocity: Vec3) -> Result<()> {
         let velocity = pad3(velocity);
-        call(|| unsafe { sys::dCharacterSetVelocity(self.raw(), velocity.as_ptr()) })?;
-        Ok(())
+        call(|| unsafe { sys::dCharacterSetVelocity(self.raw(), velocity.as_ptr()) })
     }
 
     /// Give the geom a copy of \*material from the next step on; 0: the default again.
@@ -651,8 +620,7 @@ impl GeomMut<'_> {
     /// C: `dGeomSetMaterial`.
     pub fn set_material(&mut self, material: Option<&Material>) -> Result<()> {
         let material = material.map(Material::to_raw);
-        call(|| unsafe { sys::dGeomSetMaterial(self.raw(), material.as_ref().map_or(std::ptr::null(), std::ptr::from_ref)) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomSetMaterial(self.raw(), material.as_ref().map_or(std::ptr::null(), std::ptr::from_ref)); })
     }
 
     /// Make the geom a sensor (mode 1) or an ordinary geom (mode 0, the default). World-managed
@@ -664,32 +632,28 @@ impl GeomMut<'_> {
     ///
     /// C: `dGeomSetSensor`.
     pub fn set_sensor(&mut self, mode: bool) -> Result<()> {
-        call(|| unsafe { sys::dGeomSetSensor(self.raw(), i32::from(mode)) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomSetSensor(self.raw(), i32::from(mode)) })
     }
 
     /// Set the cone's radius and length, m.
     ///
     /// C: `dGeomConeSetParams`.
     pub fn set_cone_params(&mut self, radius: Real, length: Real) -> Result<()> {
-        call(|| unsafe { sys::dGeomConeSetParams(self.raw(), radius, length) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomConeSetParams(self.raw(), radius, length) })
     }
 
     /// Set the ellipsoid's radii along its own axes, m.
     ///
     /// C: `dGeomEllipsoidSetRadii`; `radii` is (rx, ry, rz).
     pub fn set_ellipsoid_radii(&mut self, radii: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dGeomEllipsoidSetRadii(self.raw(), radii[0], radii[1], radii[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomEllipsoidSetRadii(self.raw(), radii[0], radii[1], radii[2]) })
     }
 
     /// Set the geom's radii and length, m; the centre of mass stays the origin.
     ///
     /// C: `dGeomTaperedCapsuleSetParams`.
     pub fn set_tapered_capsule_params(&mut self, r1: Real, r2: Real, length: Real) -> Result<()> {
-        call(|| unsafe { sys::dGeomTaperedCapsuleSetParams(self.raw(), r1, r2, length) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomTaperedCapsuleSetParams(self.raw(), r1, r2, length) })
     }
 
     /// Choose whether a fast geom stops at what it would have passed: mode is one of
@@ -701,8 +665,7 @@ impl GeomMut<'_> {
     ///
     /// C: `dGeomSetContinuous`.
     pub fn set_continuous(&mut self, mode: Continuous) -> Result<()> {
-        call(|| unsafe { sys::dGeomSetContinuous(self.raw(), mode.number()) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomSetContinuous(self.raw(), mode.number()) })
     }
 
     /// Make the mesh the solid that its triangles enclose (solid 1) or, as in ODE and
@@ -713,7 +676,6 @@ impl GeomMut<'_> {
     ///
     /// C: `dGeomTriMeshSetSolid`.
     pub fn set_mesh_solid(&mut self, solid: i32) -> Result<()> {
-        call(|| unsafe { sys::dGeomTriMeshSetSolid(self.raw(), solid) })?;
-        Ok(())
+        call(|| unsafe { sys::dGeomTriMeshSetSolid(self.raw(), solid) })
     }
 }

@@ -10,24 +10,21 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetCouplingAxis`.
     pub fn coupling_axis(&self, i: i32) -> Result<i32> {
-        let r = call(|| unsafe { sys::dJointGetCouplingAxis(self.raw(), i) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetCouplingAxis(self.raw(), i) })
     }
 
     /// Returns its factor, 0 if the place is empty.
     ///
     /// C: `dJointGetCouplingFactor`.
     pub fn coupling_factor(&self, i: i32) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetCouplingFactor(self.raw(), i) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetCouplingFactor(self.raw(), i) })
     }
 
     /// Returns a parameter, 0 if the coupling does not have it.
     ///
     /// C: `dJointGetCouplingParam`.
     pub fn coupling_param(&self, parameter: Param) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetCouplingParam(self.raw(), parameter.number()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetCouplingParam(self.raw(), parameter.number()) })
     }
 
     /// Returns the force along s that stops, springs and drives of the coupling have exerted, N or N m, the mean
@@ -35,8 +32,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetCouplingForce`.
     pub fn coupling_force(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetCouplingForce(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetCouplingForce(self.raw()) })
     }
 
     /// Returns how many axes the joint has: 0 ... 3, by its type; an AMotor and an LMotor have those that the
@@ -44,8 +40,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetNumAxes`.
     pub fn num_axes(&self) -> i32 {
-        let r = sure(|| unsafe { sys::dJointGetNumAxes(self.raw()) });
-        r
+        sure(|| unsafe { sys::dJointGetNumAxes(self.raw()) })
     }
 
     /// Returns the joint's position along or about one of its axes, m or rad. Angles are
@@ -54,8 +49,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetAxisPosition`.
     pub fn axis_position(&self, axis: i32) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetAxisPosition(self.raw(), axis) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetAxisPosition(self.raw(), axis) })
     }
 
     /// Returns the derivative of dJointGetAxisPosition, m/s or rad/s. Unlike some of the
@@ -63,8 +57,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetAxisRate`.
     pub fn axis_rate(&self, axis: i32) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetAxisRate(self.raw(), axis) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetAxisRate(self.raw(), axis) })
     }
 
     /// Returns the mode that dJointSetAxisContinuous has set, 0 at first.
@@ -90,8 +83,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetDriveForce`.
     pub fn drive_force(&self, axis: i32) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetDriveForce(self.raw(), axis) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetDriveForce(self.raw(), axis) })
     }
 
     /// Write to \*stiffness and \*damping what dJointSetStopSpring has set, zeros at first.
@@ -113,8 +105,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetStopRate`.
     pub fn stop_rate(&self, axis: i32) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetStopRate(self.raw(), axis) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetStopRate(self.raw(), axis) })
     }
 
     /// Write to \*stiffness and \*damping what dJointSetSpring has set, zeros at first. Returns
@@ -151,8 +142,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetNumBodies`.
     pub fn num_bodies(&self) -> i32 {
-        let r = sure(|| unsafe { sys::dJointGetNumBodies(self.raw()) });
-        r
+        sure(|| unsafe { sys::dJointGetNumBodies(self.raw()) })
     }
 
     /// 1 if the joint is enabled, 0 if it is disabled.
@@ -189,16 +179,14 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetBallParam`.
     pub fn ball_param(&self, parameter: Param) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetBallParam(self.raw(), parameter.number()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetBallParam(self.raw(), parameter.number()) })
     }
 
     /// The value of a parameter of the hinge's limit and motor.
     ///
     /// C: `dJointGetHingeParam`.
     pub fn hinge_param(&self, parameter: Param) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetHingeParam(self.raw(), parameter.number()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetHingeParam(self.raw(), parameter.number()) })
     }
 
     /// Write the anchor as body 1 has it now to result, m, world frame. It differs from
@@ -237,8 +225,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetHingeAngle`.
     pub fn hinge_angle(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetHingeAngle(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetHingeAngle(self.raw()) })
     }
 
     /// The rate of the hinge's angle, rad/s.
@@ -247,16 +234,14 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetHingeAngleRate`.
     pub fn hinge_angle_rate(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetHingeAngleRate(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetHingeAngleRate(self.raw()) })
     }
 
     /// The value of a parameter of the slider's limit and motor.
     ///
     /// C: `dJointGetSliderParam`.
     pub fn slider_param(&self, parameter: Param) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetSliderParam(self.raw(), parameter.number()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetSliderParam(self.raw(), parameter.number()) })
     }
 
     /// How far body 1 has moved along the axis, relative to body 2, since the axis
@@ -266,8 +251,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetSliderPosition`.
     pub fn slider_position(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetSliderPosition(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetSliderPosition(self.raw()) })
     }
 
     /// The rate of the slider's position, m/s.
@@ -276,8 +260,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetSliderPositionRate`.
     pub fn slider_position_rate(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetSliderPositionRate(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetSliderPositionRate(self.raw()) })
     }
 
     /// The axis as body 1 has it now, a unit vector.
@@ -294,8 +277,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetUniversalParam`.
     pub fn universal_param(&self, parameter: Param) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetUniversalParam(self.raw(), parameter.number()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetUniversalParam(self.raw(), parameter.number()) })
     }
 
     /// Write the anchor as body 1 has it now to result, m, world frame. It differs
@@ -353,8 +335,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetUniversalAngle1`.
     pub fn universal_angle1(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetUniversalAngle1(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetUniversalAngle1(self.raw()) })
     }
 
     /// The angle between body 2 and the cross piece about axis 2, rad, within \[-pi,
@@ -362,24 +343,21 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetUniversalAngle2`.
     pub fn universal_angle2(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetUniversalAngle2(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetUniversalAngle2(self.raw()) })
     }
 
     /// The rate of the angle about axis 1, rad/s.
     ///
     /// C: `dJointGetUniversalAngle1Rate`.
     pub fn universal_angle1_rate(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetUniversalAngle1Rate(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetUniversalAngle1Rate(self.raw()) })
     }
 
     /// The rate of the angle about axis 2, rad/s.
     ///
     /// C: `dJointGetUniversalAngle2Rate`.
     pub fn universal_angle2_rate(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetUniversalAngle2Rate(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetUniversalAngle2Rate(self.raw()) })
     }
 
     /// The value of a parameter: of axis 1 by the plain names, of the motor of axis 2 by
@@ -387,8 +365,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetHinge2Param`.
     pub fn hinge2_param(&self, parameter: Param) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetHinge2Param(self.raw(), parameter.number()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetHinge2Param(self.raw(), parameter.number()) })
     }
 
     /// Write the anchor as body 1 has it now to result, m, world frame. It differs from
@@ -433,16 +410,14 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetHinge2Angle1`.
     pub fn hinge2_angle1(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetHinge2Angle1(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetHinge2Angle1(self.raw()) })
     }
 
     /// Spin angle about axis 2, within (-pi, pi\], rad: it grows as the wheel turns forward about axis 2.
     ///
     /// C: `dJointGetHinge2Angle2`.
     pub fn hinge2_angle2(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetHinge2Angle2(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetHinge2Angle2(self.raw()) })
     }
 
     /// The rate of the steering angle, of body 1 relative to body 2 about axis 1,
@@ -450,8 +425,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetHinge2Angle1Rate`.
     pub fn hinge2_angle1_rate(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetHinge2Angle1Rate(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetHinge2Angle1Rate(self.raw()) })
     }
 
     /// The angular velocity of body 1 relative to body 2 about axis 2, rad/s. It
@@ -459,16 +433,14 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetHinge2Angle2Rate`.
     pub fn hinge2_angle2_rate(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetHinge2Angle2Rate(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetHinge2Angle2Rate(self.raw()) })
     }
 
     /// The value of a parameter of the joint: dParamERP or dParamCFM.
     ///
     /// C: `dJointGetFixedParam`.
     pub fn fixed_param(&self, parameter: Param) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetFixedParam(self.raw(), parameter.number()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetFixedParam(self.raw(), parameter.number()) })
     }
 
     /// The motor's mode: dAMotorUser or dAMotorEuler.
@@ -484,8 +456,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetAMotorNumAxes`.
     pub fn amotor_num_axes(&self) -> Result<i32> {
-        let r = call(|| unsafe { sys::dJointGetAMotorNumAxes(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetAMotorNumAxes(self.raw()) })
     }
 
     /// Write axis anum as it is now to result: a unit vector, world frame.
@@ -501,8 +472,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetAMotorAxisRel`.
     pub fn amotor_axis_rel(&self, anum: i32) -> Result<i32> {
-        let r = call(|| unsafe { sys::dJointGetAMotorAxisRel(self.raw(), anum) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetAMotorAxisRel(self.raw(), anum) })
     }
 
     /// The angle about axis anum, rad: in user mode what the program has set, in Euler
@@ -510,16 +480,14 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetAMotorAngle`.
     pub fn amotor_angle(&self, anum: i32) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetAMotorAngle(self.raw(), anum) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetAMotorAngle(self.raw(), anum) })
     }
 
     /// Relative angular velocity of the bodies about axis anum, rad/s.
     ///
     /// C: `dJointGetAMotorAngleRate`.
     pub fn amotor_angle_rate(&self, anum: i32) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetAMotorAngleRate(self.raw(), anum) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetAMotorAngleRate(self.raw(), anum) })
     }
 
     /// The value of a parameter of one of the three limits and motors: of axis 0 by the
@@ -527,16 +495,14 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetAMotorParam`.
     pub fn amotor_param(&self, parameter: Param) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetAMotorParam(self.raw(), parameter.number()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetAMotorParam(self.raw(), parameter.number()) })
     }
 
     /// How many axes are in use.
     ///
     /// C: `dJointGetLMotorNumAxes`.
     pub fn lmotor_num_axes(&self) -> Result<i32> {
-        let r = call(|| unsafe { sys::dJointGetLMotorNumAxes(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetLMotorNumAxes(self.raw()) })
     }
 
     /// Axis anum as it is stored: result is in the frame of the body it turns with, or in the world's.
@@ -553,8 +519,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetLMotorParam`.
     pub fn lmotor_param(&self, parameter: Param) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetLMotorParam(self.raw(), parameter.number()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetLMotorParam(self.raw(), parameter.number()) })
     }
 
     /// The value of a parameter of a limit and motor: of the slide by the plain names, of
@@ -562,8 +527,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetPRParam`.
     pub fn pr_param(&self, parameter: Param) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetPRParam(self.raw(), parameter.number()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetPRParam(self.raw(), parameter.number()) })
     }
 
     /// The anchor as body 2 has it now.
@@ -599,8 +563,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetPRPosition`.
     pub fn pr_position(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetPRPosition(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetPRPosition(self.raw()) })
     }
 
     /// The rate of the position along axis 1, m/s, where body 1 does not turn: its
@@ -608,24 +571,21 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetPRPositionRate`.
     pub fn pr_position_rate(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetPRPositionRate(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetPRPositionRate(self.raw()) })
     }
 
     /// The rotation of body 1 relative to body 2 about axis 2, rad, within \[-pi, pi\].
     ///
     /// C: `dJointGetPRAngle`.
     pub fn pr_angle(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetPRAngle(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetPRAngle(self.raw()) })
     }
 
     /// The rate of the angle about axis 2, rad/s.
     ///
     /// C: `dJointGetPRAngleRate`.
     pub fn pr_angle_rate(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetPRAngleRate(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetPRAngleRate(self.raw()) })
     }
 
     /// The value of a parameter of a limit and motor: of axis 1 by the plain names, of axis
@@ -633,8 +593,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetPUParam`.
     pub fn pu_param(&self, parameter: Param) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetPUParam(self.raw(), parameter.number()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetPUParam(self.raw(), parameter.number()) })
     }
 
     /// The anchor as body 2 has it now.
@@ -690,8 +649,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetPUPosition`.
     pub fn pu_position(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetPUPosition(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetPUPosition(self.raw()) })
     }
 
     /// The rate of the position along axis 3, m/s, where body 2 does not turn: its
@@ -699,8 +657,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetPUPositionRate`.
     pub fn pu_position_rate(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetPUPositionRate(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetPUPositionRate(self.raw()) })
     }
 
     /// Write the angles about axis 1 and axis 2 to \*angle1 and \*angle2: rad, as of the
@@ -718,32 +675,28 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetPUAngle1`.
     pub fn pu_angle1(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetPUAngle1(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetPUAngle1(self.raw()) })
     }
 
     /// The rate of the angle about axis 1, rad/s.
     ///
     /// C: `dJointGetPUAngle1Rate`.
     pub fn pu_angle1_rate(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetPUAngle1Rate(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetPUAngle1Rate(self.raw()) })
     }
 
     /// The angle about axis 2, rad, as of the universal joint.
     ///
     /// C: `dJointGetPUAngle2`.
     pub fn pu_angle2(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetPUAngle2(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetPUAngle2(self.raw()) })
     }
 
     /// The rate of the angle about axis 2, rad/s.
     ///
     /// C: `dJointGetPUAngle2Rate`.
     pub fn pu_angle2_rate(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetPUAngle2Rate(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetPUAngle2Rate(self.raw()) })
     }
 
     /// The value of a parameter of a limit and motor: of the slide by the plain names,
@@ -751,8 +704,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetPistonParam`.
     pub fn piston_param(&self, parameter: Param) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetPistonParam(self.raw(), parameter.number()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetPistonParam(self.raw(), parameter.number()) })
     }
 
     /// Write the anchor as body 1 has it now to result, m, world frame.
@@ -786,48 +738,42 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetPistonPosition`.
     pub fn piston_position(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetPistonPosition(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetPistonPosition(self.raw()) })
     }
 
     /// The velocity along the axis of body 1's centre relative to body 2's, m/s.
     ///
     /// C: `dJointGetPistonPositionRate`.
     pub fn piston_position_rate(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetPistonPositionRate(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetPistonPositionRate(self.raw()) })
     }
 
     /// The rotation of body 1 relative to body 2 about the axis, rad, within \[-pi, pi\].
     ///
     /// C: `dJointGetPistonAngle`.
     pub fn piston_angle(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetPistonAngle(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetPistonAngle(self.raw()) })
     }
 
     /// The rate of the angle about the axis, rad/s.
     ///
     /// C: `dJointGetPistonAngleRate`.
     pub fn piston_angle_rate(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetPistonAngleRate(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetPistonAngleRate(self.raw()) })
     }
 
     /// The distance to keep, m, which need not be the present one.
     ///
     /// C: `dJointGetDBallDistance`.
     pub fn dball_distance(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetDBallDistance(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetDBallDistance(self.raw()) })
     }
 
     /// The value of a parameter of the joint: dParamERP or dParamCFM.
     ///
     /// C: `dJointGetDBallParam`.
     pub fn dball_param(&self, parameter: Param) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetDBallParam(self.raw(), parameter.number()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetDBallParam(self.raw(), parameter.number()) })
     }
 
     /// Write where the point of body 1 is now to result, m, world frame.
@@ -852,8 +798,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetDHingeParam`.
     pub fn dhinge_param(&self, parameter: Param) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetDHingeParam(self.raw(), parameter.number()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetDHingeParam(self.raw(), parameter.number()) })
     }
 
     /// Write the common axis as body 1 has it now to result: a unit vector, world frame.
@@ -887,8 +832,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetDHingeDistance`.
     pub fn dhinge_distance(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetDHingeDistance(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetDHingeDistance(self.raw()) })
     }
 
     /// What kind of wheels the joint couples: dTransmissionParallelAxes,
@@ -950,8 +894,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetTransmissionRatio`.
     pub fn transmission_ratio(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetTransmissionRatio(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetTransmissionRatio(self.raw()) })
     }
 
     /// The radius of wheel 1, m: as set for a chain, else as measured by the
@@ -961,8 +904,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetTransmissionRadius1`.
     pub fn transmission_radius1(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetTransmissionRadius1(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetTransmissionRadius1(self.raw()) })
     }
 
     /// The radius of wheel 2, m: as set for a chain, else as measured by the
@@ -972,24 +914,21 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetTransmissionRadius2`.
     pub fn transmission_radius2(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetTransmissionRadius2(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetTransmissionRadius2(self.raw()) })
     }
 
     /// The backlash: the free play of the rims to either side of zero slip, m.
     ///
     /// C: `dJointGetTransmissionBacklash`.
     pub fn transmission_backlash(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetTransmissionBacklash(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetTransmissionBacklash(self.raw()) })
     }
 
     /// The value of a parameter of the joint: dParamERP or dParamCFM.
     ///
     /// C: `dJointGetTransmissionParam`.
     pub fn transmission_param(&self, parameter: Param) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetTransmissionParam(self.raw(), parameter.number()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetTransmissionParam(self.raw(), parameter.number()) })
     }
 
     /// How far the point of contact has run around wheel 1, as body 1 sees it,
@@ -999,8 +938,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetTransmissionAngle1`.
     pub fn transmission_angle1(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetTransmissionAngle1(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetTransmissionAngle1(self.raw()) })
     }
 
     /// How far the point of contact has run around wheel 2, as body 2 sees it,
@@ -1010,8 +948,7 @@ impl Joint<'_> {
     ///
     /// C: `dJointGetTransmissionAngle2`.
     pub fn transmission_angle2(&self) -> Result<Real> {
-        let r = call(|| unsafe { sys::dJointGetTransmissionAngle2(self.raw()) })?;
-        Ok(r)
+        call(|| unsafe { sys::dJointGetTransmissionAngle2(self.raw()) })
     }
 
     /// Write where wheel 1 touched the other wheel or the chain to result,
@@ -1047,8 +984,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetCouplingParam`.
     pub fn set_coupling_param(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetCouplingParam(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetCouplingParam(self.raw(), parameter.number(), value) })
     }
 
     /// Let the angle of an axis count turns always, mode 1, from where it is now, or only
@@ -1058,8 +994,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetAxisContinuous`.
     pub fn set_axis_continuous(&mut self, axis: i32, mode: bool) -> Result<()> {
-        call(|| unsafe { sys::dJointSetAxisContinuous(self.raw(), axis, i32::from(mode)) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetAxisContinuous(self.raw(), axis, i32::from(mode)); })
     }
 
     /// Say in which turn an angle is that counts turns: in the one where it is nearest to
@@ -1069,8 +1004,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetAxisTurn`.
     pub fn set_axis_turn(&mut self, axis: i32, position: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetAxisTurn(self.raw(), axis, position) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetAxisTurn(self.raw(), axis, position); })
     }
 
     /// Put a drive on an axis, in place of the one it has; drive NULL takes it away. It acts
@@ -1082,8 +1016,7 @@ impl JointMut<'_> {
     /// C: `dJointSetDrive`.
     pub fn set_drive(&mut self, axis: i32, drive: Option<&Drive>) -> Result<()> {
         let drive = drive.map(Drive::to_raw);
-        call(|| unsafe { sys::dJointSetDrive(self.raw(), axis, drive.as_ref().map_or(std::ptr::null(), std::ptr::from_ref)) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetDrive(self.raw(), axis, drive.as_ref().map_or(std::ptr::null(), std::ptr::from_ref)); })
     }
 
     /// Let the stops of an axis be springs with dampers, N/m and N s/m or N m/rad and
@@ -1094,8 +1027,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetStopSpring`.
     pub fn set_stop_spring(&mut self, axis: i32, stiffness: Real, damping: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetStopSpring(self.raw(), axis, stiffness, damping) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetStopSpring(self.raw(), axis, stiffness, damping); })
     }
 
     /// Let the stops of an axis push back what is beyond them by at most \`rate\` times the distance,
@@ -1108,8 +1040,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetStopRate`.
     pub fn set_stop_rate(&mut self, axis: i32, rate: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetStopRate(self.raw(), axis, rate) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetStopRate(self.raw(), axis, rate); })
     }
 
     /// Let the rows that have the joint's own ERP and CFM be springs with dampers, N/m and
@@ -1120,8 +1051,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetSpring`.
     pub fn set_spring(&mut self, stiffness: Real, damping: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetSpring(self.raw(), stiffness, damping) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetSpring(self.raw(), stiffness, damping); })
     }
 
     /// Let the joint break when it has exerted more than this force, N, or torque, N m,
@@ -1133,8 +1063,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetBreakLimits`.
     pub fn set_break_limits(&mut self, force: Real, torque: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetBreakLimits(self.raw(), force, torque) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetBreakLimits(self.raw(), force, torque); })
     }
 
     /// Let the joint act again. New joints are enabled.
@@ -1143,8 +1072,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointEnable`.
     pub fn enable(&mut self) -> Result<()> {
-        call(|| unsafe { sys::dJointEnable(self.raw()) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointEnable(self.raw()) })
     }
 
     /// Let the joint act no more until dJointEnable.
@@ -1153,24 +1081,21 @@ impl JointMut<'_> {
     ///
     /// C: `dJointDisable`.
     pub fn disable(&mut self) -> Result<()> {
-        call(|| unsafe { sys::dJointDisable(self.raw()) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointDisable(self.raw()) })
     }
 
     /// The point that both bodies have in common. Default: the origin of each body.
     ///
     /// C: `dJointSetBallAnchor`; `xyz` is (x, y, z).
     pub fn set_ball_anchor(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetBallAnchor(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetBallAnchor(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Sets only body 2's anchor; (x, y, z) is in body 2's frame (in the world's when there is no body 2).
     ///
     /// C: `dJointSetBallAnchor2`; `xyz` is (x, y, z).
     pub fn set_ball_anchor2(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetBallAnchor2(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetBallAnchor2(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set a parameter of the joint to value: dParamERP or dParamCFM, at first those of
@@ -1178,32 +1103,28 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetBallParam`.
     pub fn set_ball_param(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetBallParam(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetBallParam(self.raw(), parameter.number(), value) })
     }
 
     /// The point that both bodies have in common. The angle then reads 0.
     ///
     /// C: `dJointSetHingeAnchor`; `xyz` is (x, y, z).
     pub fn set_hinge_anchor(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetHingeAnchor(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetHingeAnchor(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// As dJointSetHingeAnchor, with body 2's anchor moved by (ax, ay, az), m, when body 2 is the world.
     ///
     /// C: `dJointSetHingeAnchorDelta`; `xyz` is (x, y, z); `delta` is (ax, ay, az).
     pub fn set_hinge_anchor_delta(&mut self, xyz: Vec3, delta: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetHingeAnchorDelta(self.raw(), xyz[0], xyz[1], xyz[2], delta[0], delta[1], delta[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetHingeAnchorDelta(self.raw(), xyz[0], xyz[1], xyz[2], delta[0], delta[1], delta[2]) })
     }
 
     /// The axis that both bodies have in common. The angle then reads 0.
     ///
     /// C: `dJointSetHingeAxis`; `xyz` is (x, y, z).
     pub fn set_hinge_axis(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetHingeAxis(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetHingeAxis(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Sets the axis and shifts the zero of the angle, rad. With t the turn about the axis from body 2's
@@ -1212,8 +1133,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetHingeAxisOffset`; `xyz` is (x, y, z).
     pub fn set_hinge_axis_offset(&mut self, xyz: Vec3, angle: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetHingeAxisOffset(self.raw(), xyz[0], xyz[1], xyz[2], angle) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetHingeAxisOffset(self.raw(), xyz[0], xyz[1], xyz[2], angle) })
     }
 
     /// Set a parameter of the hinge's limit and motor to value; its unit is in the table
@@ -1221,24 +1141,21 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetHingeParam`.
     pub fn set_hinge_param(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetHingeParam(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetHingeParam(self.raw(), parameter.number(), value) })
     }
 
     /// Apply a torque (N m) about the axis to body 1 and the opposite to body 2, for the next step.
     ///
     /// C: `dJointAddHingeTorque`.
     pub fn add_hinge_torque(&mut self, torque: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointAddHingeTorque(self.raw(), torque) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointAddHingeTorque(self.raw(), torque) })
     }
 
     /// The axis of the sliding. The position then reads 0, and the present rotation is the one to keep.
     ///
     /// C: `dJointSetSliderAxis`; `xyz` is (x, y, z).
     pub fn set_slider_axis(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetSliderAxis(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetSliderAxis(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Sets the axis, with the zero position shifted by (ax, ay, az), m, when body 2 is the world: the
@@ -1246,8 +1163,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetSliderAxisDelta`; `xyz` is (x, y, z); `delta` is (ax, ay, az).
     pub fn set_slider_axis_delta(&mut self, xyz: Vec3, delta: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetSliderAxisDelta(self.raw(), xyz[0], xyz[1], xyz[2], delta[0], delta[1], delta[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetSliderAxisDelta(self.raw(), xyz[0], xyz[1], xyz[2], delta[0], delta[1], delta[2]) })
     }
 
     /// Set a parameter of the slider's limit and motor to value; its unit is in the
@@ -1255,8 +1171,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetSliderParam`.
     pub fn set_slider_param(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetSliderParam(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetSliderParam(self.raw(), parameter.number(), value) })
     }
 
     /// Apply a force (N) along the axis to body 1 and the opposite to body 2, for the next step; the torque
@@ -1264,16 +1179,14 @@ impl JointMut<'_> {
     ///
     /// C: `dJointAddSliderForce`.
     pub fn add_slider_force(&mut self, force: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointAddSliderForce(self.raw(), force) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointAddSliderForce(self.raw(), force) })
     }
 
     /// The point that both bodies have in common. The angles then read 0.
     ///
     /// C: `dJointSetUniversalAnchor`; `xyz` is (x, y, z).
     pub fn set_universal_anchor(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetUniversalAnchor(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetUniversalAnchor(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set axis 1, which moves with body 1; set it perpendicular to axis 2.
@@ -1282,8 +1195,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetUniversalAxis1`; `xyz` is (x, y, z).
     pub fn set_universal_axis1(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetUniversalAxis1(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetUniversalAxis1(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set axis 2, which moves with body 2; set it perpendicular to axis 1.
@@ -1292,8 +1204,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetUniversalAxis2`; `xyz` is (x, y, z).
     pub fn set_universal_axis2(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetUniversalAxis2(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetUniversalAxis2(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set axis 1, which moves with body 1, and the angles.
@@ -1302,8 +1213,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetUniversalAxis1Offset`; `xyz` is (x, y, z).
     pub fn set_universal_axis1_offset(&mut self, xyz: Vec3, offset1: Real, offset2: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetUniversalAxis1Offset(self.raw(), xyz[0], xyz[1], xyz[2], offset1, offset2) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetUniversalAxis1Offset(self.raw(), xyz[0], xyz[1], xyz[2], offset1, offset2) })
     }
 
     /// Set axis 2, which moves with body 2, and the angles.
@@ -1312,8 +1222,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetUniversalAxis2Offset`; `xyz` is (x, y, z).
     pub fn set_universal_axis2_offset(&mut self, xyz: Vec3, offset1: Real, offset2: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetUniversalAxis2Offset(self.raw(), xyz[0], xyz[1], xyz[2], offset1, offset2) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetUniversalAxis2Offset(self.raw(), xyz[0], xyz[1], xyz[2], offset1, offset2) })
     }
 
     /// Set a parameter of one of the two limits and motors to value: of axis 1 by the
@@ -1321,8 +1230,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetUniversalParam`.
     pub fn set_universal_param(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetUniversalParam(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetUniversalParam(self.raw(), parameter.number(), value) })
     }
 
     /// Apply torque1 about axis 1 and torque2 about axis 2 (N m) to body 1 and the opposite to body 2, for
@@ -1330,16 +1238,14 @@ impl JointMut<'_> {
     ///
     /// C: `dJointAddUniversalTorques`.
     pub fn add_universal_torques(&mut self, torque1: Real, torque2: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointAddUniversalTorques(self.raw(), torque1, torque2) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointAddUniversalTorques(self.raw(), torque1, torque2) })
     }
 
     /// The centre of the wheel, common to both bodies. The angles then read 0.
     ///
     /// C: `dJointSetHinge2Anchor`; `xyz` is (x, y, z).
     pub fn set_hinge2_anchor(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetHinge2Anchor(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetHinge2Anchor(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Old form: set axis 1, of the steering, which moves with body 1.
@@ -1348,8 +1254,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetHinge2Axis1`; `xyz` is (x, y, z).
     pub fn set_hinge2_axis1(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetHinge2Axis1(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetHinge2Axis1(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Old form: set axis 2, of the spin, which moves with body 2.
@@ -1358,8 +1263,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetHinge2Axis2`; `xyz` is (x, y, z).
     pub fn set_hinge2_axis2(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetHinge2Axis2(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetHinge2Axis2(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set a parameter to value: of axis 1 by the plain names, of the motor of axis 2 by
@@ -1367,8 +1271,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetHinge2Param`.
     pub fn set_hinge2_param(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetHinge2Param(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetHinge2Param(self.raw(), parameter.number(), value) })
     }
 
     /// Apply torque1 about axis 1 and torque2 about axis 2 (N m) to body 1 and the opposite to body 2, for
@@ -1376,16 +1279,14 @@ impl JointMut<'_> {
     ///
     /// C: `dJointAddHinge2Torques`.
     pub fn add_hinge2_torques(&mut self, torque1: Real, torque2: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointAddHinge2Torques(self.raw(), torque1, torque2) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointAddHinge2Torques(self.raw(), torque1, torque2) })
     }
 
     /// Take the current relative pose as the one to keep. Call it after attaching: attaching alone does not.
     ///
     /// C: `dJointSetFixed`.
     pub fn set_fixed(&mut self) -> Result<()> {
-        call(|| unsafe { sys::dJointSetFixed(self.raw()) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetFixed(self.raw()) })
     }
 
     /// Set a parameter of the joint to value: dParamERP or dParamCFM, at first those of
@@ -1393,8 +1294,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetFixedParam`.
     pub fn set_fixed_param(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetFixedParam(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetFixedParam(self.raw(), parameter.number(), value) })
     }
 
     /// Set what mode the motor is in. dAMotorUser (default): the program sets axes and,
@@ -1404,8 +1304,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetAMotorMode`.
     pub fn set_amotor_mode(&mut self, mode: AMotorMode) -> Result<()> {
-        call(|| unsafe { sys::dJointSetAMotorMode(self.raw(), mode.number()) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetAMotorMode(self.raw(), mode.number()) })
     }
 
     /// Set how many axes are in use: num is 0 ... 3 (others are refused), default 0;
@@ -1413,8 +1312,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetAMotorNumAxes`.
     pub fn set_amotor_num_axes(&mut self, num: i32) -> Result<()> {
-        call(|| unsafe { sys::dJointSetAMotorNumAxes(self.raw(), num) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetAMotorNumAxes(self.raw(), num) })
     }
 
     /// Set axis anum to (x, y, z), world frame, and what it moves with: rel 0 the world,
@@ -1423,8 +1321,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetAMotorAxis`; `xyz` is (x, y, z).
     pub fn set_amotor_axis(&mut self, anum: i32, rel: i32, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetAMotorAxis(self.raw(), anum, rel, xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetAMotorAxis(self.raw(), anum, rel, xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Tell the motor the angle about axis anum, rad, with which stops are compared;
@@ -1432,8 +1329,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetAMotorAngle`.
     pub fn set_amotor_angle(&mut self, anum: i32, angle: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetAMotorAngle(self.raw(), anum, angle) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetAMotorAngle(self.raw(), anum, angle) })
     }
 
     /// Set a parameter of one of the three limits and motors to value: of axis 0 by the
@@ -1441,8 +1337,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetAMotorParam`.
     pub fn set_amotor_param(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetAMotorParam(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetAMotorParam(self.raw(), parameter.number(), value) })
     }
 
     /// Apply torque1, torque2, torque3 (N m) about the axes in use to body 1 and the opposite to body 2, for
@@ -1450,16 +1345,14 @@ impl JointMut<'_> {
     ///
     /// C: `dJointAddAMotorTorques`.
     pub fn add_amotor_torques(&mut self, torque1: Real, torque2: Real, torque3: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointAddAMotorTorques(self.raw(), torque1, torque2, torque3) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointAddAMotorTorques(self.raw(), torque1, torque2, torque3) })
     }
 
     /// Set how many axes are in use: num, held to 0 ... 3; default 0.
     ///
     /// C: `dJointSetLMotorNumAxes`.
     pub fn set_lmotor_num_axes(&mut self, num: i32) -> Result<()> {
-        call(|| unsafe { sys::dJointSetLMotorNumAxes(self.raw(), num) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetLMotorNumAxes(self.raw(), num) })
     }
 
     /// Axis anum (0, 1, 2) and what it turns with: rel 0 the world, 1 body 1, 2 body 2 (body 1 when there is
@@ -1467,8 +1360,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetLMotorAxis`; `xyz` is (x, y, z).
     pub fn set_lmotor_axis(&mut self, anum: i32, rel: i32, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetLMotorAxis(self.raw(), anum, rel, xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetLMotorAxis(self.raw(), anum, rel, xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set a parameter of one of the three motors to value: of axis 0 by the plain
@@ -1476,8 +1368,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetLMotorParam`.
     pub fn set_lmotor_param(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetLMotorParam(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetLMotorParam(self.raw(), parameter.number(), value) })
     }
 
     /// Set a parameter of the motor along x to value.
@@ -1486,8 +1377,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetPlane2DXParam`.
     pub fn set_plane2d_xparam(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPlane2DXParam(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPlane2DXParam(self.raw(), parameter.number(), value) })
     }
 
     /// Set a parameter of the motor along y to value.
@@ -1496,8 +1386,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetPlane2DYParam`.
     pub fn set_plane2d_yparam(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPlane2DYParam(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPlane2DYParam(self.raw(), parameter.number(), value) })
     }
 
     /// Set a parameter of the motor about z to value.
@@ -1506,16 +1395,14 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetPlane2DAngleParam`.
     pub fn set_plane2d_angle_param(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPlane2DAngleParam(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPlane2DAngleParam(self.raw(), parameter.number(), value) })
     }
 
     /// The point on the turning axis. The position reads 0 afterwards; the angle keeps its zero.
     ///
     /// C: `dJointSetPRAnchor`; `xyz` is (x, y, z).
     pub fn set_pr_anchor(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPRAnchor(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPRAnchor(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set axis 1, along which the anchor slides.
@@ -1524,8 +1411,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetPRAxis1`; `xyz` is (x, y, z).
     pub fn set_pr_axis1(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPRAxis1(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPRAxis1(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set axis 2, about which body 2 turns.
@@ -1534,8 +1420,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetPRAxis2`; `xyz` is (x, y, z).
     pub fn set_pr_axis2(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPRAxis2(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPRAxis2(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set a parameter of a limit and motor to value: of the slide by the plain names, of
@@ -1543,24 +1428,21 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetPRParam`.
     pub fn set_pr_param(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPRParam(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPRParam(self.raw(), parameter.number(), value) })
     }
 
     /// Apply a torque (N m) about axis 2 to body 1 and the opposite to body 2, for the next step.
     ///
     /// C: `dJointAddPRTorque`.
     pub fn add_pr_torque(&mut self, torque: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointAddPRTorque(self.raw(), torque) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointAddPRTorque(self.raw(), torque) })
     }
 
     /// The point where axes 1 and 2 meet. The position and the angles read 0 afterwards.
     ///
     /// C: `dJointSetPUAnchor`; `xyz` is (x, y, z).
     pub fn set_pu_anchor(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPUAnchor(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPUAnchor(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// As dJointSetPUAnchor, as if the bodies had come apart by (dx, dy, dz), m, since: the position reads
@@ -1568,16 +1450,14 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetPUAnchorOffset`; `xyz` is (x, y, z); `delta` is (dx, dy, dz).
     pub fn set_pu_anchor_offset(&mut self, xyz: Vec3, delta: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPUAnchorOffset(self.raw(), xyz[0], xyz[1], xyz[2], delta[0], delta[1], delta[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPUAnchorOffset(self.raw(), xyz[0], xyz[1], xyz[2], delta[0], delta[1], delta[2]) })
     }
 
     /// Old form: the position reads -axis 3 . (dx, dy, dz), m, or plus when attached as (0, body).
     ///
     /// C: `dJointSetPUAnchorDelta`; `xyz` is (x, y, z); `delta` is (dx, dy, dz).
     pub fn set_pu_anchor_delta(&mut self, xyz: Vec3, delta: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPUAnchorDelta(self.raw(), xyz[0], xyz[1], xyz[2], delta[0], delta[1], delta[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPUAnchorDelta(self.raw(), xyz[0], xyz[1], xyz[2], delta[0], delta[1], delta[2]) })
     }
 
     /// Set axis 1 of the universal joint, which moves with body 1. It sets the zeros of the
@@ -1585,8 +1465,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetPUAxis1`; `xyz` is (x, y, z).
     pub fn set_pu_axis1(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPUAxis1(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPUAxis1(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set axis 2 of the universal joint, which moves with body 2. It sets the zeros of the
@@ -1594,24 +1473,21 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetPUAxis2`; `xyz` is (x, y, z).
     pub fn set_pu_axis2(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPUAxis2(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPUAxis2(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set axis 3, along which the anchor slides.
     ///
     /// C: `dJointSetPUAxis3`; `xyz` is (x, y, z).
     pub fn set_pu_axis3(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPUAxis3(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPUAxis3(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Another name of dJointSetPUAxis3: set the axis along which the anchor slides.
     ///
     /// C: `dJointSetPUAxisP`; `xyz` is (x, y, z).
     pub fn set_pu_axis_p(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPUAxisP(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPUAxisP(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set a parameter of a limit and motor to value: of axis 1 by the plain names, of axis
@@ -1619,16 +1495,14 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetPUParam`.
     pub fn set_pu_param(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPUParam(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPUParam(self.raw(), parameter.number(), value) })
     }
 
     /// A point on the axis. The position and the angle read 0 afterwards.
     ///
     /// C: `dJointSetPistonAnchor`; `xyz` is (x, y, z).
     pub fn set_piston_anchor(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPistonAnchor(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPistonAnchor(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// As dJointSetPistonAnchor, as if the bodies had come apart by (dx, dy, dz), m, since: the position
@@ -1636,16 +1510,14 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetPistonAnchorOffset`; `xyz` is (x, y, z); `delta` is (dx, dy, dz).
     pub fn set_piston_anchor_offset(&mut self, xyz: Vec3, delta: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPistonAnchorOffset(self.raw(), xyz[0], xyz[1], xyz[2], delta[0], delta[1], delta[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPistonAnchorOffset(self.raw(), xyz[0], xyz[1], xyz[2], delta[0], delta[1], delta[2]) })
     }
 
     /// The axis of the slide and the turn. Sets the zero of the angle, too.
     ///
     /// C: `dJointSetPistonAxis`; `xyz` is (x, y, z).
     pub fn set_piston_axis(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPistonAxis(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPistonAxis(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Old form of little use: sets the axis, and the vector from body 1 to its anchor to the position of
@@ -1653,8 +1525,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetPistonAxisDelta`; `xyz` is (x, y, z); `delta` is (ax, ay, az).
     pub fn set_piston_axis_delta(&mut self, xyz: Vec3, delta: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPistonAxisDelta(self.raw(), xyz[0], xyz[1], xyz[2], delta[0], delta[1], delta[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPistonAxisDelta(self.raw(), xyz[0], xyz[1], xyz[2], delta[0], delta[1], delta[2]) })
     }
 
     /// Set a parameter of a limit and motor to value: of the slide by the plain names,
@@ -1662,8 +1533,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetPistonParam`.
     pub fn set_piston_param(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetPistonParam(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetPistonParam(self.raw(), parameter.number(), value) })
     }
 
     /// Apply a force (N) along the axis to body 1 and the opposite to body 2, for the next step: on each of
@@ -1671,8 +1541,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointAddPistonForce`.
     pub fn add_piston_force(&mut self, force: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointAddPistonForce(self.raw(), force) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointAddPistonForce(self.raw(), force) })
     }
 
     /// Set the point of body 1, world frame.
@@ -1681,8 +1550,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetDBallAnchor1`; `xyz` is (x, y, z).
     pub fn set_dball_anchor1(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetDBallAnchor1(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetDBallAnchor1(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set the point of body 2, world frame.
@@ -1691,16 +1559,14 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetDBallAnchor2`; `xyz` is (x, y, z).
     pub fn set_dball_anchor2(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetDBallAnchor2(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetDBallAnchor2(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set the distance to keep, m; a negative one is refused.
     ///
     /// C: `dJointSetDBallDistance`.
     pub fn set_dball_distance(&mut self, distance: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetDBallDistance(self.raw(), distance) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetDBallDistance(self.raw(), distance) })
     }
 
     /// Set a parameter of the joint to value: dParamERP or dParamCFM, at first those of
@@ -1708,16 +1574,14 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetDBallParam`.
     pub fn set_dball_param(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetDBallParam(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetDBallParam(self.raw(), parameter.number(), value) })
     }
 
     /// The common axis. Needs a body; before it is called the joint keeps no axis.
     ///
     /// C: `dJointSetDHingeAxis`; `xyz` is (x, y, z).
     pub fn set_dhinge_axis(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetDHingeAxis(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetDHingeAxis(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set the point of body 1, world frame.
@@ -1726,8 +1590,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetDHingeAnchor1`; `xyz` is (x, y, z).
     pub fn set_dhinge_anchor1(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetDHingeAnchor1(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetDHingeAnchor1(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set the point of body 2, world frame.
@@ -1736,8 +1599,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetDHingeAnchor2`; `xyz` is (x, y, z).
     pub fn set_dhinge_anchor2(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetDHingeAnchor2(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetDHingeAnchor2(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set a parameter of the joint to value: dParamERP or dParamCFM, at first those of
@@ -1745,8 +1607,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetDHingeParam`.
     pub fn set_dhinge_param(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetDHingeParam(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetDHingeParam(self.raw(), parameter.number(), value) })
     }
 
     /// Set what kind of wheels the joint couples: mode is dTransmissionParallelAxes
@@ -1754,24 +1615,21 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetTransmissionMode`.
     pub fn set_transmission_mode(&mut self, mode: TransmissionMode) -> Result<()> {
-        call(|| unsafe { sys::dJointSetTransmissionMode(self.raw(), mode.number()) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetTransmissionMode(self.raw(), mode.number()) })
     }
 
     /// Set the centre of wheel 1; at first the centre of body 1.
     ///
     /// C: `dJointSetTransmissionAnchor1`; `xyz` is (x, y, z).
     pub fn set_transmission_anchor1(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetTransmissionAnchor1(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetTransmissionAnchor1(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set the centre of wheel 2; at first the centre of body 2.
     ///
     /// C: `dJointSetTransmissionAnchor2`; `xyz` is (x, y, z).
     pub fn set_transmission_anchor2(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetTransmissionAnchor2(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetTransmissionAnchor2(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set the axis of both wheels; refused with intersecting axes. Default: x of
@@ -1779,24 +1637,21 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetTransmissionAxis`; `xyz` is (x, y, z).
     pub fn set_transmission_axis(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetTransmissionAxis(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetTransmissionAxis(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set the axis of wheel 1; allowed with intersecting axes only.
     ///
     /// C: `dJointSetTransmissionAxis1`; `xyz` is (x, y, z).
     pub fn set_transmission_axis1(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetTransmissionAxis1(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetTransmissionAxis1(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set the axis of wheel 2; allowed with intersecting axes only.
     ///
     /// C: `dJointSetTransmissionAxis2`; `xyz` is (x, y, z).
     pub fn set_transmission_axis2(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dJointSetTransmissionAxis2(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetTransmissionAxis2(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set the ratio radius 1 / radius 2, positive; allowed with parallel axes
@@ -1804,8 +1659,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetTransmissionRatio`.
     pub fn set_transmission_ratio(&mut self, ratio: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetTransmissionRatio(self.raw(), ratio) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetTransmissionRatio(self.raw(), ratio) })
     }
 
     /// Set the radius of wheel 1, m, positive; allowed for a chain only.
@@ -1814,8 +1668,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetTransmissionRadius1`.
     pub fn set_transmission_radius1(&mut self, radius: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetTransmissionRadius1(self.raw(), radius) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetTransmissionRadius1(self.raw(), radius) })
     }
 
     /// Set the radius of wheel 2, m, positive; allowed for a chain only.
@@ -1824,8 +1677,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetTransmissionRadius2`.
     pub fn set_transmission_radius2(&mut self, radius: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetTransmissionRadius2(self.raw(), radius) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetTransmissionRadius2(self.raw(), radius) })
     }
 
     /// Set the backlash: the free play of the rims to either side of zero slip,
@@ -1833,8 +1685,7 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetTransmissionBacklash`.
     pub fn set_transmission_backlash(&mut self, backlash: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetTransmissionBacklash(self.raw(), backlash) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetTransmissionBacklash(self.raw(), backlash) })
     }
 
     /// Set a parameter of the joint to value: dParamERP or dParamCFM, at first
@@ -1842,7 +1693,6 @@ impl JointMut<'_> {
     ///
     /// C: `dJointSetTransmissionParam`.
     pub fn set_transmission_param(&mut self, parameter: Param, value: Real) -> Result<()> {
-        call(|| unsafe { sys::dJointSetTransmissionParam(self.raw(), parameter.number(), value) })?;
-        Ok(())
+        call(|| unsafe { sys::dJointSetTransmissionParam(self.raw(), parameter.number(), value) })
     }
 }

@@ -38,8 +38,7 @@ impl World {
     ///
     /// C: `dWorldGetLostEvents`.
     pub fn lost_events(&self) -> i32 {
-        let r = sure(|| unsafe { sys::dWorldGetLostEvents(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetLostEvents(self.raw()) })
     }
 
     /// 1 if steps are reported, else 0.
@@ -107,8 +106,7 @@ impl World {
     ///
     /// C: `dWorldGetHistoryFrames`.
     pub fn history_frames(&self) -> i32 {
-        let r = sure(|| unsafe { sys::dWorldGetHistoryFrames(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetHistoryFrames(self.raw()) })
     }
 
     /// Returns the bytes that the states take, without objects that may come back.
@@ -117,24 +115,21 @@ impl World {
     ///
     /// C: `dWorldGetHistorySize`.
     pub fn history_size(&self) -> usize {
-        let r = sure(|| unsafe { sys::dWorldGetHistorySize(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetHistorySize(self.raw()) })
     }
 
     /// The number that dWorldSetStepThreads has set, 1 at first.
     ///
     /// C: `dWorldGetStepThreads`.
     pub fn step_threads(&self) -> i32 {
-        let r = sure(|| unsafe { sys::dWorldGetStepThreads(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetStepThreads(self.raw()) })
     }
 
     /// The factor that dWorldSetStepWarmStarting has set, 1 at first.
     ///
     /// C: `dWorldGetStepWarmStarting`.
     pub fn step_warm_starting(&self) -> Real {
-        let r = sure(|| unsafe { sys::dWorldGetStepWarmStarting(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetStepWarmStarting(self.raw()) })
     }
 
     /// The mode that dWorldSetFrictionCone has set, 0 at first.
@@ -165,16 +160,14 @@ impl World {
     ///
     /// C: `dWorldGetExactSubsteps`.
     pub fn exact_substeps(&self) -> i32 {
-        let r = sure(|| unsafe { sys::dWorldGetExactSubsteps(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetExactSubsteps(self.raw()) })
     }
 
     /// The number that dWorldSetStepProjection has set, 0 at first.
     ///
     /// C: `dWorldGetStepProjection`.
     pub fn step_projection(&self) -> i32 {
-        let r = sure(|| unsafe { sys::dWorldGetStepProjection(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetStepProjection(self.raw()) })
     }
 
     /// The tolerance that dWorldSetStepProjectionTolerance has set; at
@@ -182,8 +175,7 @@ impl World {
     ///
     /// C: `dWorldGetStepProjectionTolerance`.
     pub fn step_projection_tolerance(&self) -> Real {
-        let r = sure(|| unsafe { sys::dWorldGetStepProjectionTolerance(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetStepProjectionTolerance(self.raw()) })
     }
 
     /// What dWorldSetHybridStepper has set, dStepperHybrid at first.
@@ -199,16 +191,14 @@ impl World {
     ///
     /// C: `dWorldGetHybridSubsteps`.
     pub fn hybrid_substeps(&self) -> i32 {
-        let r = sure(|| unsafe { sys::dWorldGetHybridSubsteps(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetHybridSubsteps(self.raw()) })
     }
 
     /// What dWorldSetHybridBudget has set, 1 at first.
     ///
     /// C: `dWorldGetHybridBudget`.
     pub fn hybrid_budget(&self) -> Real {
-        let r = sure(|| unsafe { sys::dWorldGetHybridBudget(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetHybridBudget(self.raw()) })
     }
 
     /// Write the world's gravity, m/s^2, to gravity: 3 reals, world frame.
@@ -224,24 +214,21 @@ impl World {
     ///
     /// C: `dWorldGetERP`.
     pub fn erp(&self) -> Real {
-        let r = sure(|| unsafe { sys::dWorldGetERP(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetERP(self.raw()) })
     }
 
     /// The world's constraint force mixing; at first 1e-10, 1e-5 in single precision.
     ///
     /// C: `dWorldGetCFM`.
     pub fn cfm(&self) -> Real {
-        let r = sure(|| unsafe { sys::dWorldGetCFM(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetCFM(self.raw()) })
     }
 
     /// The most threads that work on a step; 0: no limit.
     ///
     /// C: `dWorldGetStepIslandsProcessingMaxThreadCount`.
     pub fn step_islands_processing_max_thread_count(&self) -> u32 {
-        let r = sure(|| unsafe { sys::dWorldGetStepIslandsProcessingMaxThreadCount(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetStepIslandsProcessingMaxThreadCount(self.raw()) })
     }
 
     /// The constant force (N, 3 reals written) that gives the impulse (ix, iy, iz), N s, within one step of
@@ -258,16 +245,14 @@ impl World {
     ///
     /// C: `dWorldGetQuickStepNumIterations`.
     pub fn quick_step_num_iterations(&self) -> i32 {
-        let r = sure(|| unsafe { sys::dWorldGetQuickStepNumIterations(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetQuickStepNumIterations(self.raw()) })
     }
 
     /// The factor of over-relaxation of dWorldQuickStep, 1.3 at first.
     ///
     /// C: `dWorldGetQuickStepW`.
     pub fn quick_step_w(&self) -> Real {
-        let r = sure(|| unsafe { sys::dWorldGetQuickStepW(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetQuickStepW(self.raw()) })
     }
 
     /// The greatest velocity that a contact may use to undo penetration,
@@ -275,16 +260,14 @@ impl World {
     ///
     /// C: `dWorldGetContactMaxCorrectingVel`.
     pub fn contact_max_correcting_vel(&self) -> Real {
-        let r = sure(|| unsafe { sys::dWorldGetContactMaxCorrectingVel(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetContactMaxCorrectingVel(self.raw()) })
     }
 
     /// The depth of penetration that contacts leave alone, m; 0 at first.
     ///
     /// C: `dWorldGetContactSurfaceLayer`.
     pub fn contact_surface_layer(&self) -> Real {
-        let r = sure(|| unsafe { sys::dWorldGetContactSurfaceLayer(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetContactSurfaceLayer(self.raw()) })
     }
 
     /// The linear speed up to which new bodies count as idle, m/s; 0.01
@@ -292,8 +275,7 @@ impl World {
     ///
     /// C: `dWorldGetAutoDisableLinearThreshold`.
     pub fn auto_disable_linear_threshold(&self) -> Real {
-        let r = sure(|| unsafe { sys::dWorldGetAutoDisableLinearThreshold(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetAutoDisableLinearThreshold(self.raw()) })
     }
 
     /// The angular speed up to which new bodies count as idle, rad/s;
@@ -301,8 +283,7 @@ impl World {
     ///
     /// C: `dWorldGetAutoDisableAngularThreshold`.
     pub fn auto_disable_angular_threshold(&self) -> Real {
-        let r = sure(|| unsafe { sys::dWorldGetAutoDisableAngularThreshold(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetAutoDisableAngularThreshold(self.raw()) })
     }
 
     /// Over how many steps the velocities of new bodies are averaged,
@@ -310,24 +291,21 @@ impl World {
     ///
     /// C: `dWorldGetAutoDisableAverageSamplesCount`.
     pub fn auto_disable_average_samples_count(&self) -> i32 {
-        let r = sure(|| unsafe { sys::dWorldGetAutoDisableAverageSamplesCount(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetAutoDisableAverageSamplesCount(self.raw()) })
     }
 
     /// How many idle steps new bodies need before they are disabled, 10 at first.
     ///
     /// C: `dWorldGetAutoDisableSteps`.
     pub fn auto_disable_steps(&self) -> i32 {
-        let r = sure(|| unsafe { sys::dWorldGetAutoDisableSteps(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetAutoDisableSteps(self.raw()) })
     }
 
     /// How much idle time new bodies need before they are disabled, s; 0 at first.
     ///
     /// C: `dWorldGetAutoDisableTime`.
     pub fn auto_disable_time(&self) -> Real {
-        let r = sure(|| unsafe { sys::dWorldGetAutoDisableTime(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetAutoDisableTime(self.raw()) })
     }
 
     /// Non-zero if new bodies disable themselves, else 0.
@@ -343,8 +321,7 @@ impl World {
     ///
     /// C: `dWorldGetLinearDampingThreshold`.
     pub fn linear_damping_threshold(&self) -> Real {
-        let r = sure(|| unsafe { sys::dWorldGetLinearDampingThreshold(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetLinearDampingThreshold(self.raw()) })
     }
 
     /// The angular speed from which on damping acts on new bodies, rad/s;
@@ -352,32 +329,28 @@ impl World {
     ///
     /// C: `dWorldGetAngularDampingThreshold`.
     pub fn angular_damping_threshold(&self) -> Real {
-        let r = sure(|| unsafe { sys::dWorldGetAngularDampingThreshold(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetAngularDampingThreshold(self.raw()) })
     }
 
     /// The scale of linear damping of new bodies, 0 at first.
     ///
     /// C: `dWorldGetLinearDamping`.
     pub fn linear_damping(&self) -> Real {
-        let r = sure(|| unsafe { sys::dWorldGetLinearDamping(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetLinearDamping(self.raw()) })
     }
 
     /// The scale of angular damping of new bodies, 0 at first.
     ///
     /// C: `dWorldGetAngularDamping`.
     pub fn angular_damping(&self) -> Real {
-        let r = sure(|| unsafe { sys::dWorldGetAngularDamping(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetAngularDamping(self.raw()) })
     }
 
     /// The angular speed that new bodies are held to, rad/s; dInfinity at first.
     ///
     /// C: `dWorldGetMaxAngularSpeed`.
     pub fn max_angular_speed(&self) -> Real {
-        let r = sure(|| unsafe { sys::dWorldGetMaxAngularSpeed(self.raw()) });
-        r
+        sure(|| unsafe { sys::dWorldGetMaxAngularSpeed(self.raw()) })
     }
 }
 
@@ -389,8 +362,7 @@ impl World {
     ///
     /// C: `dWorldSetBehaviour`.
     pub fn set_behaviour(&mut self, version: Behaviour) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetBehaviour(self.raw(), version.number()) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetBehaviour(self.raw(), version.number()) })
     }
 
     /// Switch the diagnosis of steps on (mode 1) or off (0, the default), which forgets
@@ -399,8 +371,7 @@ impl World {
     ///
     /// C: `dWorldSetDiagnosisMode`.
     pub fn set_diagnosis_mode(&mut self, mode: bool) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetDiagnosisMode(self.raw(), i32::from(mode)) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetDiagnosisMode(self.raw(), i32::from(mode)) })
     }
 
     /// List events as \*settings says from the next step on; settings 0, the default:
@@ -412,8 +383,7 @@ impl World {
     /// C: `dWorldSetEventSettings`.
     pub fn set_event_settings(&mut self, settings: Option<&EventSettings>) -> Result<()> {
         let settings = settings.map(EventSettings::to_raw);
-        call(|| unsafe { sys::dWorldSetEventSettings(self.raw(), settings.as_ref().map_or(std::ptr::null(), std::ptr::from_ref)) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetEventSettings(self.raw(), settings.as_ref().map_or(std::ptr::null(), std::ptr::from_ref)); })
     }
 
     /// Switch the report of steps on (mode 1) or off (0, the default). A report
@@ -421,16 +391,14 @@ impl World {
     ///
     /// C: `dWorldSetStepReportMode`.
     pub fn set_step_report_mode(&mut self, mode: bool) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetStepReportMode(self.raw(), i32::from(mode)) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetStepReportMode(self.raw(), i32::from(mode)) })
     }
 
     /// Let steps keep an account of energy. Returns 1.
     ///
     /// C: `dWorldSetEnergyLedgerMode`.
     pub fn set_energy_ledger_mode(&mut self, mode: bool) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetEnergyLedgerMode(self.raw(), i32::from(mode)) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetEnergyLedgerMode(self.raw(), i32::from(mode)); })
     }
 
     /// Set the largest number of threads of a step of this world, the caller's
@@ -441,8 +409,7 @@ impl World {
     ///
     /// C: `dWorldSetStepThreads`.
     pub fn set_step_threads(&mut self, threads: i32) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetStepThreads(self.raw(), threads) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetStepThreads(self.raw(), threads) })
     }
 
     /// Set how much of the last step's constraint forces a step starts from:
@@ -451,8 +418,7 @@ impl World {
     ///
     /// C: `dWorldSetStepWarmStarting`.
     pub fn set_step_warm_starting(&mut self, factor: Real) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetStepWarmStarting(self.raw(), factor) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetStepWarmStarting(self.raw(), factor) })
     }
 
     /// Choose how the friction of contact joints is bounded. mode 0 (the default): each
@@ -464,8 +430,7 @@ impl World {
     ///
     /// C: `dWorldSetFrictionCone`.
     pub fn set_friction_cone(&mut self, mode: bool) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetFrictionCone(self.raw(), i32::from(mode)) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetFrictionCone(self.raw(), i32::from(mode)) })
     }
 
     /// Choose whether dWorldQuickStep and dWorldStepFast1 bound friction point by
@@ -476,8 +441,7 @@ impl World {
     ///
     /// C: `dWorldSetManifoldFriction`.
     pub fn set_manifold_friction(&mut self, mode: bool) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetManifoldFriction(self.raw(), i32::from(mode)) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetManifoldFriction(self.raw(), i32::from(mode)) })
     }
 
     /// Choose how bodies under joints and contacts rotate: as ODE rotates them (mode 0, the default) or exactly
@@ -487,8 +451,7 @@ impl World {
     ///
     /// C: `dWorldSetExactRotation`.
     pub fn set_exact_rotation(&mut self, mode: bool) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetExactRotation(self.raw(), i32::from(mode)) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetExactRotation(self.raw(), i32::from(mode)) })
     }
 
     /// Set into how many equal substeps (count) dWorldStep divides its step; 1 is the
@@ -499,8 +462,7 @@ impl World {
     ///
     /// C: `dWorldSetExactSubsteps`.
     pub fn set_exact_substeps(&mut self, count: i32) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetExactSubsteps(self.raw(), count) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetExactSubsteps(self.raw(), count) })
     }
 
     /// Set how many Newton iterations on positions may follow each dWorldStep, 0
@@ -511,8 +473,7 @@ impl World {
     ///
     /// C: `dWorldSetStepProjection`.
     pub fn set_step_projection(&mut self, iterations: i32) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetStepProjection(self.raw(), iterations) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetStepProjection(self.raw(), iterations) })
     }
 
     /// Set the error (tolerance) that the projection need not remove: of
@@ -522,8 +483,7 @@ impl World {
     ///
     /// C: `dWorldSetStepProjectionTolerance`.
     pub fn set_step_projection_tolerance(&mut self, tolerance: Real) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetStepProjectionTolerance(self.raw(), tolerance) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetStepProjectionTolerance(self.raw(), tolerance) })
     }
 
     /// Set how hybrid steps solve islands none of whose bodies requests a stepper;
@@ -531,8 +491,7 @@ impl World {
     ///
     /// C: `dWorldSetHybridStepper`.
     pub fn set_hybrid_stepper(&mut self, stepper: Stepper) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetHybridStepper(self.raw(), stepper.number()) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetHybridStepper(self.raw(), stepper.number()) })
     }
 
     /// Set how many substeps (count) a hybrid step has where it has any; default 4.
@@ -540,8 +499,7 @@ impl World {
     ///
     /// C: `dWorldSetHybridSubsteps`.
     pub fn set_hybrid_substeps(&mut self, count: i32) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetHybridSubsteps(self.raw(), count) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetHybridSubsteps(self.raw(), count) })
     }
 
     /// Set how long the exact solutions of a hybrid step may take together, times what
@@ -552,8 +510,7 @@ impl World {
     ///
     /// C: `dWorldSetHybridBudget`.
     pub fn set_hybrid_budget(&mut self, times: Real) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetHybridBudget(self.raw(), times) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetHybridBudget(self.raw(), times) })
     }
 
     /// Set gravity to (x, y, z), m/s^2, world frame; default (0, 0, 0). It acts on every
@@ -561,8 +518,7 @@ impl World {
     ///
     /// C: `dWorldSetGravity`; `xyz` is (x, y, z).
     pub fn set_gravity(&mut self, xyz: Vec3) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetGravity(self.raw(), xyz[0], xyz[1], xyz[2]) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetGravity(self.raw(), xyz[0], xyz[1], xyz[2]) })
     }
 
     /// Set the world's error reduction parameter erp: the part of joint errors that is corrected
@@ -571,8 +527,7 @@ impl World {
     ///
     /// C: `dWorldSetERP`.
     pub fn set_erp(&mut self, erp: Real) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetERP(self.raw(), erp) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetERP(self.raw(), erp) })
     }
 
     /// Set the world's constraint force mixing cfm: the softness of joints, sensibly 1e-9 ... 1,
@@ -582,8 +537,7 @@ impl World {
     ///
     /// C: `dWorldSetCFM`.
     pub fn set_cfm(&mut self, cfm: Real) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetCFM(self.raw(), cfm) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetCFM(self.raw(), cfm) })
     }
 
     /// Set the most threads (count) that work on a step; 0 (the
@@ -592,8 +546,7 @@ impl World {
     ///
     /// C: `dWorldSetStepIslandsProcessingMaxThreadCount`.
     pub fn set_step_islands_processing_max_thread_count(&mut self, count: u32) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetStepIslandsProcessingMaxThreadCount(self.raw(), count) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetStepIslandsProcessingMaxThreadCount(self.raw(), count) })
     }
 
     /// Give the blocks back at once, with what the world keeps to save time; settings stay, and no result
@@ -601,8 +554,7 @@ impl World {
     ///
     /// C: `dWorldCleanupWorkingMemory`.
     pub fn cleanup_working_memory(&mut self) -> Result<()> {
-        call(|| unsafe { sys::dWorldCleanupWorkingMemory(self.raw()) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldCleanupWorkingMemory(self.raw()) })
     }
 
     /// Set how many iterations (num) dWorldQuickStep makes, default 20. 0 or
@@ -610,8 +562,7 @@ impl World {
     ///
     /// C: `dWorldSetQuickStepNumIterations`.
     pub fn set_quick_step_num_iterations(&mut self, num: i32) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetQuickStepNumIterations(self.raw(), num) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetQuickStepNumIterations(self.raw(), num) })
     }
 
     /// Set the factor over\_relaxation of dWorldQuickStep, sensibly within (0, 2), default
@@ -619,8 +570,7 @@ impl World {
     ///
     /// C: `dWorldSetQuickStepW`.
     pub fn set_quick_step_w(&mut self, over_relaxation: Real) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetQuickStepW(self.raw(), over_relaxation) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetQuickStepW(self.raw(), over_relaxation) })
     }
 
     /// Set the greatest velocity vel, m/s, that a contact may use to undo
@@ -628,8 +578,7 @@ impl World {
     ///
     /// C: `dWorldSetContactMaxCorrectingVel`.
     pub fn set_contact_max_correcting_vel(&mut self, vel: Real) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetContactMaxCorrectingVel(self.raw(), vel) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetContactMaxCorrectingVel(self.raw(), vel) })
     }
 
     /// Set the depth of penetration, m, that contacts leave alone so that they
@@ -637,8 +586,7 @@ impl World {
     ///
     /// C: `dWorldSetContactSurfaceLayer`.
     pub fn set_contact_surface_layer(&mut self, depth: Real) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetContactSurfaceLayer(self.raw(), depth) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetContactSurfaceLayer(self.raw(), depth) })
     }
 
     /// Set the linear speed linear\_average\_threshold, m/s, up to which
@@ -646,8 +594,7 @@ impl World {
     ///
     /// C: `dWorldSetAutoDisableLinearThreshold`.
     pub fn set_auto_disable_linear_threshold(&mut self, linear_average_threshold: Real) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetAutoDisableLinearThreshold(self.raw(), linear_average_threshold) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetAutoDisableLinearThreshold(self.raw(), linear_average_threshold) })
     }
 
     /// Set the angular speed angular\_average\_threshold, rad/s, up to
@@ -655,8 +602,7 @@ impl World {
     ///
     /// C: `dWorldSetAutoDisableAngularThreshold`.
     pub fn set_auto_disable_angular_threshold(&mut self, angular_average_threshold: Real) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetAutoDisableAngularThreshold(self.raw(), angular_average_threshold) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetAutoDisableAngularThreshold(self.raw(), angular_average_threshold) })
     }
 
     /// Set over how many steps (average\_samples\_count) the velocities
@@ -665,8 +611,7 @@ impl World {
     ///
     /// C: `dWorldSetAutoDisableAverageSamplesCount`.
     pub fn set_auto_disable_average_samples_count(&mut self, average_samples_count: u32) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetAutoDisableAverageSamplesCount(self.raw(), average_samples_count) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetAutoDisableAverageSamplesCount(self.raw(), average_samples_count) })
     }
 
     /// Set how many idle steps new bodies need before they are disabled; default
@@ -674,8 +619,7 @@ impl World {
     ///
     /// C: `dWorldSetAutoDisableSteps`.
     pub fn set_auto_disable_steps(&mut self, steps: i32) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetAutoDisableSteps(self.raw(), steps) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetAutoDisableSteps(self.raw(), steps) })
     }
 
     /// Set how much idle time, s, new bodies need before they are disabled; default
@@ -683,16 +627,14 @@ impl World {
     ///
     /// C: `dWorldSetAutoDisableTime`.
     pub fn set_auto_disable_time(&mut self, time: Real) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetAutoDisableTime(self.raw(), time) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetAutoDisableTime(self.raw(), time) })
     }
 
     /// Set whether new bodies disable themselves (do\_auto\_disable not 0); default 0.
     ///
     /// C: `dWorldSetAutoDisableFlag`.
     pub fn set_auto_disable_flag(&mut self, do_auto_disable: bool) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetAutoDisableFlag(self.raw(), i32::from(do_auto_disable)) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetAutoDisableFlag(self.raw(), i32::from(do_auto_disable)) })
     }
 
     /// Set the linear speed threshold, m/s, from which on damping acts on new
@@ -700,8 +642,7 @@ impl World {
     ///
     /// C: `dWorldSetLinearDampingThreshold`.
     pub fn set_linear_damping_threshold(&mut self, threshold: Real) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetLinearDampingThreshold(self.raw(), threshold) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetLinearDampingThreshold(self.raw(), threshold) })
     }
 
     /// Set the angular speed threshold, rad/s, from which on damping acts on
@@ -709,8 +650,7 @@ impl World {
     ///
     /// C: `dWorldSetAngularDampingThreshold`.
     pub fn set_angular_damping_threshold(&mut self, threshold: Real) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetAngularDampingThreshold(self.raw(), threshold) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetAngularDampingThreshold(self.raw(), threshold) })
     }
 
     /// Set the scale of linear damping of new bodies, sensibly 0 ... 1; default 0, no
@@ -718,8 +658,7 @@ impl World {
     ///
     /// C: `dWorldSetLinearDamping`.
     pub fn set_linear_damping(&mut self, scale: Real) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetLinearDamping(self.raw(), scale) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetLinearDamping(self.raw(), scale) })
     }
 
     /// Set the scale of angular damping of new bodies, sensibly 0 ... 1; default 0,
@@ -727,8 +666,7 @@ impl World {
     ///
     /// C: `dWorldSetAngularDamping`.
     pub fn set_angular_damping(&mut self, scale: Real) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetAngularDamping(self.raw(), scale) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetAngularDamping(self.raw(), scale) })
     }
 
     /// Set the scales of linear (linear\_scale) and angular damping (angular\_scale) of new
@@ -736,8 +674,7 @@ impl World {
     ///
     /// C: `dWorldSetDamping`.
     pub fn set_damping(&mut self, linear_scale: Real, angular_scale: Real) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetDamping(self.raw(), linear_scale, angular_scale) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetDamping(self.raw(), linear_scale, angular_scale) })
     }
 
     /// Set the angular speed max\_speed, rad/s, that new bodies are held to; default
@@ -745,7 +682,6 @@ impl World {
     ///
     /// C: `dWorldSetMaxAngularSpeed`.
     pub fn set_max_angular_speed(&mut self, max_speed: Real) -> Result<()> {
-        call(|| unsafe { sys::dWorldSetMaxAngularSpeed(self.raw(), max_speed) })?;
-        Ok(())
+        call(|| unsafe { sys::dWorldSetMaxAngularSpeed(self.raw(), max_speed) })
     }
 }
