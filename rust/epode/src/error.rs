@@ -8,6 +8,7 @@ use epode_sys as sys;
 use std::cell::RefCell;
 use std::ffi::{c_char, c_int};
 use std::fmt;
+use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::sync::{Mutex, Once, OnceLock};
 
 /// What kind of mistake an [`Error`] is about.
@@ -72,8 +73,7 @@ type Hook = Box<dyn Fn(i32, &str) + Send + Sync>;
 static HOOK: Mutex<Option<std::sync::Arc<Hook>>> = Mutex::new(None);
 
 /// Calls `hook` with the number and text of every message that is no refusal, such as the notes of a step, on the thread that
-/// caused it; `None`, the default, prints them to the standard error stream. The hook must not panic: a panic in it ends the
-/// process if it was called by C.
+/// caused it; `None`, the default, prints them to the standard error stream. A panic of the hook goes no further: C may be around it.
 pub fn on_message(hook: Option<Hook>) {
     *HOOK.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = hook.map(std::sync::Arc::new);
 }
@@ -81,7 +81,9 @@ pub fn on_message(hook: Option<Hook>) {
 fn tell(number: i32, text: &str) {
     let hook = HOOK.lock().unwrap_or_else(std::sync::PoisonError::into_inner).clone();
     match hook {
-        Some(hook) => hook(number, text),
+        Some(hook) => {
+            let _ = catch_unwind(AssertUnwindSafe(|| hook(number, text)));
+        }
         None => eprintln!("Epode: {text}"),
     }
 }

@@ -18,9 +18,13 @@ macro_rules! handle {
         }
 
         impl $name {
-            #[doc = concat!("The counterpart of this ", $what, " in a copy of its world ([`World::try_clone`]).")]
+            #[doc = concat!("The counterpart of this ", $what, " in a copy of its world ([`World::try_clone`]); itself, for other worlds.")]
             pub fn in_world(self, copy: &World) -> Self {
-                Self { world: copy.shared().id, ..self }
+                let shared = copy.shared();
+                if shared.copied_from.get() == Some(self.world) {
+                    return Self { world: shared.id, ..self };
+                }
+                self
             }
         }
     };

@@ -28,6 +28,39 @@
 //!   (not `Sync`).
 //! - Numbers are [`Real`]: `f64`, or `f32` with the feature `single`, which links `libode_single`.
 //!
+//! What does not compile: a view that outlives its world, or is sent to another thread, or is held while the world is changed; a world
+//! that two threads read; a filter of a query that changes the world.
+//!
+//! ```compile_fail,E0505
+//! let world = epode::World::new().unwrap();
+//! let contacts = world.contacts();
+//! drop(world);
+//! contacts.len();
+//! ```
+//! ```compile_fail,E0502
+//! let mut world = epode::World::new().unwrap();
+//! let body = world.add_body(&epode::BodyDef::new()).unwrap();
+//! let view = world.body(body).unwrap();
+//! world.remove_body(body).unwrap();
+//! view.position();
+//! ```
+//! ```compile_fail,E0277
+//! let world = epode::World::new().unwrap();
+//! std::thread::scope(|scope| {
+//!     scope.spawn(|| world.bodies()); // World is not Sync
+//! });
+//! ```
+//! ```compile_fail,E0502
+//! let mut world = epode::World::new().unwrap();
+//! let mut step = |_| world.step(0.01).is_ok();
+//! world.ray([0.0; 3], [1.0, 0.0, 0.0], 1.0, &epode::Filter::new().keep(&mut step)).unwrap();
+//! ```
+//! ```compile_fail,E0277
+//! let mut world = epode::World::new().unwrap();
+//! let shared = std::rc::Rc::new(1); // functions of the program go with the world, wherever it is sent
+//! world.set_contact_filter(move |_, _| *shared == 1).unwrap();
+//! ```
+//!
 //! Most methods are written from the C headers with their texts, so names such as `dBodySetPosition` in them are those of C, and
 //! `0` for an object is `None` here.
 #![warn(missing_docs)]

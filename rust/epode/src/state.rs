@@ -141,6 +141,7 @@ impl World {
     pub fn try_clone(&self) -> Result<Self> {
         let mut copy = Self::read(&self.to_bytes()?)?;
         copy.set_method(self.method());
+        copy.shared().copied_from.set(Some(self.shared().id));
         let (ours, theirs) = (raw_bodies(self.raw()), raw_bodies(copy.raw()));
         let joints = (raw_joints(self.raw()), raw_joints(copy.raw()));
         let geoms = (raw_geoms(self.space(), &ours), raw_geoms(copy.space(), &theirs));

@@ -190,6 +190,7 @@ pub(crate) struct GeomData {
 #[derive(Default)]
 pub(crate) struct Shared {
     pub id: u32,
+    pub copied_from: Cell<Option<u32>>,
     pub bodies: RefCell<Slots<BodyData>>,
     pub joints: RefCell<Slots<JointData>>,
     pub geoms: RefCell<Slots<GeomData>>,
