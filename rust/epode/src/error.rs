@@ -78,7 +78,7 @@ pub fn on_message(hook: Option<Hook>) {
     *HOOK.lock().unwrap_or_else(std::sync::PoisonError::into_inner) = hook.map(std::sync::Arc::new);
 }
 
-fn tell(number: i32, text: &str) {
+fn report(number: i32, text: &str) {
     let hook = HOOK.lock().unwrap_or_else(std::sync::PoisonError::into_inner).clone();
     match hook {
         Some(hook) => {
@@ -112,6 +112,8 @@ unsafe fn collect(refused: bool, number: c_int, format: *const c_char, arguments
     vsnprintf(bytes.as_mut_ptr().cast(), bytes.len(), format, arguments);
     let end = bytes.iter().position(|&b| b == 0).unwrap_or(bytes.len());
     let text = String::from_utf8_lossy(&bytes[..end]).into_owned();
+    // Functions of robots refuse by a message that begins with their name.
+    let refused = refused || (text.starts_with("dRobot") && text.contains(": refused"));
     if within {
         SAID.with(|said| {
             if let Some(list) = said.borrow_mut().as_mut() {
@@ -119,7 +121,7 @@ unsafe fn collect(refused: bool, number: c_int, format: *const c_char, arguments
             }
         });
     } else {
-        tell(number, &text);
+        report(number, &text);
     }
 }
 
@@ -162,7 +164,7 @@ pub(crate) fn call<T>(f: impl FnOnce() -> T) -> Result<T> {
     let mut refusal = None;
     for one in said {
         if !one.refused {
-            tell(one.number, &one.text);
+            report(one.number, &one.text);
         } else if refusal.is_none() {
             refusal = Some(one.text);
         }

@@ -74,6 +74,10 @@ mod geom;
 mod handle;
 mod joint;
 mod query;
+#[cfg(feature = "robots")]
+mod robot;
+#[cfg(feature = "robots")]
+mod robot_model;
 mod shape;
 mod state;
 mod table;
@@ -112,6 +116,10 @@ pub use geom::{Geom, GeomDef, GeomMut};
 pub use handle::{BodyId, GeomId, JointId};
 pub use joint::{Joint, JointDef, JointMut};
 pub use query::{Distance, Filter, Hit};
+#[cfg(feature = "robots")]
+pub use robot::{Robot, RobotId, RobotMut};
+#[cfg(feature = "robots")]
+pub use robot_model::{RobotJoint, RobotJointKind, RobotLink, RobotModel};
 pub use shape::Shape;
 pub use state::Fields;
 pub use values::{Mass, Mat3, Param, Quat, Real, Vec3};

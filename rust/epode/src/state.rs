@@ -97,6 +97,8 @@ impl World {
         shared.bodies.borrow_mut().restore(&addresses(&bodies), steps);
         shared.joints.borrow_mut().restore(&addresses(&raw_joints(self.raw())), steps);
         shared.geoms.borrow_mut().restore(&addresses(&raw_geoms(self.space(), &bodies)), steps);
+        #[cfg(feature = "robots")]
+        shared.end_broken_robots();
         Ok(())
     }
 
@@ -204,7 +206,7 @@ fn addresses<T>(pointers: &[*mut T]) -> Vec<usize> {
 }
 
 /// Bodies, oldest first.
-fn raw_bodies(world: sys::dWorldID) -> Vec<sys::dBodyID> {
+pub(crate) fn raw_bodies(world: sys::dWorldID) -> Vec<sys::dBodyID> {
     let list = |to, capacity| sure(|| unsafe { sys::dWorldGetBodies(world, to, capacity) });
     let count = list(std::ptr::null_mut(), 0);
     let mut all = vec![std::ptr::null_mut(); count as usize];
@@ -212,7 +214,7 @@ fn raw_bodies(world: sys::dWorldID) -> Vec<sys::dBodyID> {
     all
 }
 /// Joints, oldest first.
-fn raw_joints(world: sys::dWorldID) -> Vec<sys::dJointID> {
+pub(crate) fn raw_joints(world: sys::dWorldID) -> Vec<sys::dJointID> {
     let list = |to, capacity| sure(|| unsafe { sys::dWorldGetJoints(world, to, capacity) });
     let count = list(std::ptr::null_mut(), 0);
     let mut all = vec![std::ptr::null_mut(); count as usize];
@@ -220,7 +222,7 @@ fn raw_joints(world: sys::dWorldID) -> Vec<sys::dJointID> {
     all
 }
 /// Members of the space and of spaces in it, then geoms of bodies that are in no space.
-fn raw_geoms(space: sys::dSpaceID, bodies: &[sys::dBodyID]) -> Vec<sys::dGeomID> {
+pub(crate) fn raw_geoms(space: sys::dSpaceID, bodies: &[sys::dBodyID]) -> Vec<sys::dGeomID> {
     let mut all = Vec::new();
     members(space, &mut all);
     let known: std::collections::HashSet<_> = all.iter().copied().collect();

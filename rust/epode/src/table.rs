@@ -185,7 +185,7 @@ pub(crate) struct GeomData {
     pub filter: Option<Box<CharacterFilter>>,
 }
 
-/// What a world's callbacks see while the world is lent to the call that makes them: so it is behind a pointer of its own, and all of
+/// What a world's callbacks see while the world is lent to the call that makes them: therefore it is behind a pointer of its own, and all of
 /// it is in cells. No borrow of a cell lasts over a call into the library, but of the function that is being called.
 #[derive(Default)]
 pub(crate) struct Shared {
@@ -198,7 +198,19 @@ pub(crate) struct Shared {
     pub moved: RefCell<Option<MovedCallback>>,
     pub panic: RefCell<Option<Box<dyn Any + Send>>>,
     pub history: Cell<u64>, // how many steps can be taken back
-    pub steps: Cell<u64>,   // that have been made and not taken back
+    #[cfg(feature = "robots")]
+    pub robots: RefCell<Vec<crate::robot::Owned>>,
+    #[cfg(feature = "robots")]
+    pub robots_made: Cell<u32>,
+    pub steps: Cell<u64>, // that have been made and not taken back
+}
+
+/// What belongs to a robot.
+#[allow(dead_code)]
+pub(crate) struct Parts<'r> {
+    pub bodies: &'r [BodyId],
+    pub joints: &'r [JointId],
+    pub geoms: &'r [GeomId],
 }
 
 macro_rules! lookups {
@@ -250,6 +262,17 @@ impl Shared {
     /// For Slots::remove.
     pub fn keep(&self) -> Option<u64> {
         (self.history.get() > 0).then(|| self.steps.get())
+    }
+    /// What a robot is made of goes with it alone.
+    pub fn refuse_parts_of_robots(&self, is_part: impl Fn(&Parts<'_>) -> bool) -> Result<()> {
+        #[cfg(feature = "robots")]
+        for robot in self.robots.borrow().iter() {
+            if is_part(&Parts { bodies: &robot.bodies, joints: &robot.joints, geoms: &robot.geoms }) {
+                return Err(Error::refused("a part of a robot is removed with it (World::remove_robot)"));
+            }
+        }
+        let _ = is_part;
+        Ok(())
     }
     /// Lets a panic of a callback go on.
     pub fn finish(&self) {

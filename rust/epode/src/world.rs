@@ -253,6 +253,7 @@ impl World {
     /// Removes a body and the geoms that are on it. Its joints stay, attached to nothing.
     pub fn remove_body(&mut self, id: BodyId) -> Result<()> {
         let raw = self.shared().body(id)?;
+        self.shared().refuse_parts_of_robots(|parts| parts.bodies.contains(&id))?;
         for geom in self.body(id)?.geoms() {
             self.remove_geom(geom)?;
         }
@@ -263,6 +264,7 @@ impl World {
     /// Removes a geom. C: `dGeomDestroy`.
     pub fn remove_geom(&mut self, id: GeomId) -> Result<()> {
         let raw = self.shared().geom(id)?;
+        self.shared().refuse_parts_of_robots(|parts| parts.geoms.contains(&id))?;
         call(|| unsafe { sys::dGeomDestroy(raw) })?;
         self.shared().geoms.borrow_mut().remove(id.index, self.shared().keep());
         Ok(())
@@ -270,6 +272,7 @@ impl World {
     /// Removes a joint. C: `dJointDestroy`.
     pub fn remove_joint(&mut self, id: JointId) -> Result<()> {
         let raw = self.shared().joint(id)?;
+        self.shared().refuse_parts_of_robots(|parts| parts.joints.contains(&id))?;
         call(|| unsafe { sys::dJointDestroy(raw) })?;
         self.shared().joints.borrow_mut().remove(id.index, self.shared().keep());
         Ok(())
@@ -282,6 +285,8 @@ impl World {
 impl Drop for World {
     fn drop(&mut self) {
         // Functions of the program are not called while what they belong to goes; then C lets go of what Rust has, then that is freed.
+        #[cfg(feature = "robots")]
+        self.shared().end_robots(self.shared().robots.take());
         let geoms: Vec<_> = self.shared().geoms.borrow().live().map(|(_, _, raw)| raw as sys::dGeomID).collect();
         let _ = call(|| unsafe {
             sys::dWorldDestroy(self.raw);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Functions of the program: what they are told, and that a panic in one of them goes on when the call is over.
+// Functions of the program: what they receive, and that a panic in one of them goes on when the call is over.
 use epode::{BodyDef, CharacterSettings, EventKind, EventSettings, Filter, GeomDef, GeomId, Real, Result, Shape, World, WorldDef};
 use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::sync::atomic::{AtomicUsize, Ordering};

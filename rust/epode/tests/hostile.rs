@@ -92,21 +92,21 @@ fn a_world_dies_on_another_thread_while_others_are_made() -> Result<()> {
 fn worlds_are_swapped_and_moved_under_their_callbacks() -> Result<()> {
     let (mut one, ball) = world_with_ball()?;
     let (mut two, other) = world_with_ball()?;
-    let told = Arc::new(Mutex::new(Vec::new()));
+    let received = Arc::new(Mutex::new(Vec::new()));
     for world in [&mut one, &mut two] {
-        let told = told.clone();
+        let received = received.clone();
         world.set_contact_filter(move |a, b| {
-            told.lock().unwrap().extend([a.body, b.body].into_iter().flatten());
+            received.lock().unwrap().extend([a.body, b.body].into_iter().flatten());
             true
         })?;
     }
     std::mem::swap(&mut one, &mut two);
     let mut boxed = Box::new(one);
     boxed.step(0.01)?;
-    let mut list = vec![*boxed, two];
+    let mut list = [*boxed, two];
     list.swap(0, 1);
     list[0].step(0.01)?;
-    assert_eq!(*told.lock().unwrap(), [other, ball]);
+    assert_eq!(*received.lock().unwrap(), [other, ball]);
     assert!(list[0].body(ball).is_ok() && list[0].body(other).is_err());
     Ok(())
 }
