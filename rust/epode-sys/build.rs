@@ -12,8 +12,8 @@ fn main() {
     if std::env::var_os("DOCS_RS").is_some() {
         return;
     }
-    let library = if cfg!(feature = "single") { "ode_single" } else { "ode" };
-    let folder = std::env::var("EPODE_LIB_DIR").unwrap_or_else(|_| installed(library));
+    let (library, package) = if cfg!(feature = "single") { ("ode_single", "ode-single") } else { ("ode", "ode") };
+    let folder = std::env::var("EPODE_LIB_DIR").unwrap_or_else(|_| installed(package));
     println!("cargo:rustc-link-search=native={folder}");
     println!("cargo:rustc-link-lib=dylib={library}");
     if cfg!(feature = "robots") {
@@ -25,19 +25,19 @@ fn main() {
     }
 }
 
-fn installed(library: &str) -> String {
-    let include = variable(library, "includedir");
+fn installed(package: &str) -> String {
+    let include = variable(package, "includedir");
     if !Path::new(&include).join("ode/ext.h").exists() {
-        panic!("the {library} that pkg-config finds is not Epode's ({include}/ode/ext.h is missing): set EPODE_LIB_DIR");
+        panic!("the {package} that pkg-config finds is not Epode's ({include}/ode/ext.h is missing): set EPODE_LIB_DIR");
     }
-    variable(library, "libdir")
+    variable(package, "libdir")
 }
 
-fn variable(library: &str, name: &str) -> String {
+fn variable(package: &str, name: &str) -> String {
     let program = std::env::var("PKG_CONFIG").unwrap_or_else(|_| "pkg-config".into());
-    let found = Command::new(program).arg(format!("--variable={name}")).arg(library).output();
+    let found = Command::new(program).arg(format!("--variable={name}")).arg(package).output();
     match found {
         Ok(out) if out.status.success() => String::from_utf8_lossy(&out.stdout).trim().to_string(),
-        _ => panic!("pkg-config finds no {library}: install Epode, or set EPODE_LIB_DIR to the folder of its library"),
+        _ => panic!("pkg-config finds no {package}: install Epode, or set EPODE_LIB_DIR to the folder of its library"),
     }
 }

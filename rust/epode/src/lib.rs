@@ -124,3 +124,11 @@ pub use shape::Shape;
 pub use state::Fields;
 pub use values::{Mass, Mat3, Param, Quat, Real, Vec3};
 pub use world::{Method, World, WorldDef};
+
+// The samples of the pages are compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod readme {}
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/rust.md")]
+mod page {}
