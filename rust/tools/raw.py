@@ -4,6 +4,7 @@
 Option, an enumeration the unsigned number that C passes; numbers of enumerations without a name are c_int. What the headers
 compute (values of enumerators) is computed by the C compiler."""
 import dataclasses
+import glob
 import os
 import re
 import subprocess
@@ -35,6 +36,7 @@ class Api:
     docs: dict  # function: text
     comments: dict  # type, or type.field: text
     numbers: dict  # enumerator: value
+    headers: list  # their names
 
 
 def read(include, cc):
@@ -50,7 +52,7 @@ def read(include, cc):
     for folder in folders:
         docs |= header_docs.texts(folder)
         comments |= c_types.comments(folder)
-    return Api(declared, every, robots, docs, comments, _values(include, cc, declared))
+    return Api(declared, every, robots, docs, comments, _values(include, cc, declared), _headers(include))
 
 
 def _functions(text):
@@ -64,7 +66,7 @@ def _functions(text):
 def _values(include, cc, declared):
     names = [n for of in declared.enums.values() for n in of]
     shown = "".join(f'    printf("{n} %ld\\n", (long){n});\n' for n in names)
-    headers = "".join(f"#include <{h}>\n" for h in HEADERS)
+    headers = "".join(f"#include <{h}>\n" for h in _headers(include))
     with tempfile.TemporaryDirectory() as folder:
         source, program = os.path.join(folder, "values.c"), os.path.join(folder, "values")
         with open(source, "w", encoding="ascii") as f:
@@ -74,7 +76,10 @@ def _values(include, cc, declared):
     return {name: int(value) for name, value in (line.split() for line in out.splitlines())}
 
 
-HEADERS = ("ode/ode.h", "ode/ext.h", "epode/robots.h", "epode/robot_sensors.h", "epode/batch.h", "epode/decomposition.h")
+def _headers(include):
+    """The names of all headers, as programs include them."""
+    paths = [path for folder in ("ode", "epode") for path in sorted(glob.glob(os.path.join(include, folder, "*.h")))]
+    return [os.path.relpath(path, include) for path in paths if not re.search(c_functions.INCLUDED_BY_OTHERS, path)]
 
 
 class Types:
@@ -205,4 +210,5 @@ def _names(api):
         word = "robots" if robots else "ode"
         return "".join(f"#[macro_export]\nmacro_rules! {word}_{what} {{\n    ($to:ident) => {{ $to! {{\n{names}    }} }};\n}}\n"
                        for what, names in (("structures", structures), ("numbers", numbers), ("functions", functions)))
-    return HEAD + group(False) + group(True)
+    headers = "".join(f'    "{name}",\n' for name in api.headers)
+    return HEAD + f"pub const HEADERS: &[&str] = &[\n{headers}];\n" + group(False) + group(True)

@@ -39,9 +39,6 @@ fn c_prints(source: &str) -> String {
     String::from_utf8(out.stdout).unwrap()
 }
 
-const HEAD: &str = "#include <ode/ode.h>\n#include <ode/ext.h>\n#include <epode/robots.h>\n#include <epode/robot_sensors.h>\n\
-                    #include <epode/batch.h>\n#include <epode/decomposition.h>\n#include <stddef.h>\n#include <stdio.h>\n";
-
 macro_rules! lines_of_structures {
     ($($name:ident { $($field:ident)* })*) => {
         fn lines(c: &mut String, rust: &mut String) {
@@ -70,7 +67,8 @@ macro_rules! lines_of_numbers {
 }
 
 fn compare(lines: &[fn(&mut String, &mut String)], least: usize) {
-    let (mut c, mut rust) = (format!("{HEAD}int main(void)\n{{\n"), String::new());
+    let headers: String = names::HEADERS.iter().map(|name| format!("#include <{name}>\n")).collect();
+    let (mut c, mut rust) = (format!("{headers}#include <stddef.h>\n#include <stdio.h>\nint main(void)\n{{\n"), String::new());
     lines.iter().for_each(|one| one(&mut c, &mut rust));
     c.push_str("return 0;\n}\n");
     let said = c_prints(&c);

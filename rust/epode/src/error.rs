@@ -2,12 +2,14 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What the library says becomes an Error. Its handlers are process-wide, and it sends one message for each refused call on the
-// thread that called; so the handlers write to a list of the thread, which every call brings along and reads. Calls nest (a
-// callback calls the library): each has a list of its own. What is said outside of the crate's calls goes where it went before.
+// thread that called; so the handlers write to a list of the thread, with the level of the call: calls nest (a callback calls the
+// library), and each takes its own. A call that says nothing looks at two numbers of its thread and no more. What is said outside of
+// the crate's calls goes where it went before.
 use epode_sys as sys;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::ffi::{c_char, c_int};
 use std::fmt;
+use std::io::Write;
 use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::sync::{Mutex, Once, OnceLock};
 
@@ -60,13 +62,16 @@ impl fmt::Display for Error {
 impl std::error::Error for Error {}
 
 struct Said {
+    level: u32,
     refused: bool,
     number: i32,
     text: String,
 }
 
 thread_local! {
-    static SAID: RefCell<Option<Vec<Said>>> = const { RefCell::new(None) };
+    static LEVEL: Cell<u32> = const { Cell::new(0) }; // of the innermost call; 0: none
+    static SPOKE: Cell<bool> = const { Cell::new(false) }; // the list has something
+    static SAID: RefCell<Vec<Said>> = const { RefCell::new(Vec::new()) };
 }
 
 type Hook = Box<dyn Fn(i32, &str) + Send + Sync>;
@@ -84,7 +89,7 @@ fn report(number: i32, text: &str) {
         Some(hook) => {
             let _ = catch_unwind(AssertUnwindSafe(|| hook(number, text)));
         }
-        None => eprintln!("Epode: {text}"),
+        None => drop(writeln!(std::io::stderr(), "Epode: {text}")), // which may be closed
     }
 }
 
@@ -103,9 +108,9 @@ unsafe extern "C" fn on_note(number: c_int, format: *const c_char, arguments: sy
 }
 
 unsafe fn collect(refused: bool, number: c_int, format: *const c_char, arguments: sys::va_list) {
-    let within = SAID.try_with(|said| said.try_borrow().map(|list| list.is_some()).unwrap_or(false)).unwrap_or(false);
+    let level = LEVEL.get();
     let before = BEFORE.get().and_then(|(refusals, notes)| if refused { *refusals } else { *notes });
-    if let (false, Some(handler)) = (within, before) {
+    if let (0, Some(handler)) = (level, before) {
         return handler(number, format, arguments);
     }
     let mut bytes = [0u8; 2000];
@@ -114,12 +119,10 @@ unsafe fn collect(refused: bool, number: c_int, format: *const c_char, arguments
     let text = String::from_utf8_lossy(&bytes[..end]).into_owned();
     // Functions of robots refuse by a message that begins with their name.
     let refused = refused || (text.starts_with("dRobot") && text.contains(": refused"));
-    if within {
-        SAID.with(|said| {
-            if let Some(list) = said.borrow_mut().as_mut() {
-                list.push(Said { refused, number, text });
-            }
-        });
+    // A thread that is ending has no list any more: what is dropped there is reported at once.
+    let kept = level > 0 && SAID.try_with(|said| said.borrow_mut().push(Said { level, refused, number, text: text.clone() })).is_ok();
+    if kept {
+        SPOKE.set(true);
     } else {
         report(number, &text);
     }
@@ -137,30 +140,54 @@ pub(crate) fn start() {
     });
 }
 
-// The list of the call around this one, which gets its place back also when this one is left by a panic.
-struct Outer(Option<Option<Vec<Said>>>);
+/// A call into the library, which ends also when it is left by a panic.
+struct Level(u32);
 
-impl Outer {
+impl Level {
     fn begin() -> Self {
-        // A thread that is ending has no list: what is dropped there says nothing.
-        Self(SAID.try_with(|said| said.replace(Some(Vec::new()))).ok())
+        let level = LEVEL.get() + 1;
+        LEVEL.set(level);
+        Self(level)
     }
-    fn end(&mut self) -> Vec<Said> {
-        let Some(outer) = self.0.take() else { return Vec::new() };
-        SAID.try_with(|said| said.replace(outer)).ok().flatten().unwrap_or_default()
+    /// What was said in this call, and in none around it.
+    #[cold]
+    fn said(&self) -> Vec<Said> {
+        let take = |said: &RefCell<Vec<Said>>| {
+            let mut all = said.borrow_mut();
+            let first = all.iter().position(|one| one.level >= self.0).unwrap_or(all.len());
+            let own = all.split_off(first);
+            SPOKE.set(!all.is_empty());
+            own
+        };
+        SAID.try_with(take).unwrap_or_default()
     }
 }
-impl Drop for Outer {
+impl Drop for Level {
     fn drop(&mut self) {
-        self.end();
+        LEVEL.set(self.0 - 1);
+        if SPOKE.get() {
+            self.said();
+        }
     }
 }
 
 /// Calls the library: what it refuses is an error. (Notes go to the hook.)
 pub(crate) fn call<T>(f: impl FnOnce() -> T) -> Result<T> {
-    let mut outer = Outer::begin();
+    let level = Level::begin();
     let result = f();
-    let said = outer.end();
+    if !SPOKE.get() {
+        return Ok(result);
+    }
+    let said = level.said();
+    drop(level);
+    match refusal_of(said) {
+        None => Ok(result),
+        Some(text) => Err(Error::refused(text)),
+    }
+}
+
+#[cold]
+fn refusal_of(said: Vec<Said>) -> Option<String> {
     let mut refusal = None;
     for one in said {
         if !one.refused {
@@ -169,10 +196,7 @@ pub(crate) fn call<T>(f: impl FnOnce() -> T) -> Result<T> {
             refusal = Some(one.text);
         }
     }
-    match refusal {
-        None => Ok(result),
-        Some(text) => Err(Error::refused(text)),
-    }
+    refusal
 }
 
 /// A call that nothing can make the library refuse.

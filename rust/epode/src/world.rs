@@ -172,15 +172,20 @@ impl World {
     pub fn step_by(&mut self, method: Method, h: Real) -> Result<()> {
         self.shared().begin_step();
         let raw = self.raw;
-        let stepped = done(|| unsafe {
-            match method {
-                Method::Exact => sys::dWorldStep(raw, h),
-                Method::Quick => sys::dWorldQuickStep(raw, h),
-                Method::Hybrid => sys::dWorldStepHybrid(raw, h),
-                Method::Substeps(count) => sys::dWorldStepFast1(raw, h, i32::from(count)),
-            }
+        let mut made = 0;
+        let stepped = done(|| {
+            made = unsafe {
+                match method {
+                    Method::Exact => sys::dWorldStep(raw, h),
+                    Method::Quick => sys::dWorldQuickStep(raw, h),
+                    Method::Hybrid => sys::dWorldStepHybrid(raw, h),
+                    Method::Substeps(count) => sys::dWorldStepFast1(raw, h, i32::from(count)),
+                }
+            };
+            made
         });
-        if stepped.is_ok() {
+        // Counted as the library's history counts, whatever was said on the way.
+        if made != 0 {
             self.shared().count_step();
         }
         self.shared().finish();
@@ -253,8 +258,9 @@ impl World {
     /// Removes a body and the geoms that are on it. Its joints stay, attached to nothing.
     pub fn remove_body(&mut self, id: BodyId) -> Result<()> {
         let raw = self.shared().body(id)?;
-        self.shared().refuse_parts_of_robots(|parts| parts.bodies.contains(&id))?;
-        for geom in self.body(id)?.geoms() {
+        let geoms = self.body(id)?.geoms();
+        self.shared().refuse_parts_of_robots(|parts| parts.bodies.contains(&id) || geoms.iter().any(|geom| parts.geoms.contains(geom)))?;
+        for geom in geoms {
             self.remove_geom(geom)?;
         }
         call(|| unsafe { sys::dBodyDestroy(raw) })?;
