@@ -81,9 +81,10 @@ class Robots:
             if begins:
                 robot.reset()
 
-    def step(self, h: float, *, steps: int = 1, stepper: str = "exact", threads: int = 0) -> None:
-        """Advance all worlds, each on a thread of its own (``epode.step_worlds``)."""
-        step_worlds(self.worlds, h, stepper=stepper, steps=steps, threads=threads)
+    def step(self, h: float, *, steps: int = 1, stepper: str | None = None, threads: int = 0) -> None:
+        """Advance all worlds, each on a thread of its own (``epode.step_worlds``). stepper: None: as the first one's ``stepper`` says."""
+        worlds = self.worlds
+        step_worlds(worlds, h, stepper=worlds[0].stepper if stepper is None else stepper, steps=steps, threads=threads)
 
     def _each(self, read: Callable[[Robot], ArrayLike]) -> FloatArray:
         return np.stack([np.asarray(read(robot), float) for robot in self._robots])

@@ -162,6 +162,17 @@ def test_steps_let_tendons_and_filters_act_and_measure():
     assert many.sensors["felt"].shape == (2, 3) and many.sensor("felt")[1] == pytest.approx(by_itself.sensor("felt"))
 
 
+@pytest.mark.parametrize("preset", ["ode", "game", "robot"])
+def test_many_step_with_the_bits_of_one(preset):
+    for text in (MUSCLE, CRATE.replace('pos="0 0 0.1"', 'pos="0 0 0.3" euler="20 10 0"')):
+        model = epode.robot.from_text(text)
+        alone, many = (model.build(epode.World(gravity=(0, 0, -9.81), defaults=preset)) for _ in range(2))
+        begin = alone.positions
+        alone.world.step(0.004, steps=60)
+        epode.robot.Robots([many]).step(0.004, steps=60)
+        assert many.positions.tobytes() == alone.positions.tobytes() and np.abs(many.positions - begin).max() > 0.1
+
+
 def test_a_clone_lets_them_act_too():
     robot = epode.robot.from_text(MUSCLE).build()
     robot.control("push", 3)
