@@ -55,13 +55,15 @@ def _turned(quaternion: FloatArray) -> FloatArray:
 
 
 def _product(a: FloatArray, b: FloatArray) -> FloatArray:
-    """Of two quaternions."""
-    w, v, x, u = a[0], a[1:], b[0], b[1:]
-    return np.concatenate([[w * x - v @ u], w * u + x * v + np.cross(v, u)])
+    """Of two quaternions. In plain numbers: numpy's own products of vectors of three take ten times as long."""
+    (w, x, y, z), (s, i, j, k) = a.tolist(), b.tolist()
+    return np.array([w * s - (x * i + y * j + z * k), w * i + s * x + (y * k - z * j), w * j + s * y + (z * i - x * k),
+                     w * k + s * z + (x * j - y * i)])
 
 
 def _moved(pose: FloatArray, point: ArrayLike) -> FloatArray:
     """Where a point of a frame is whose pose, position and quaternion, is given."""
-    v, p = pose[4:7], np.asarray(point, float)
-    t = 2 * np.cross(v, p)
-    return np.asarray(p + pose[3] * t + np.cross(v, t) + pose[:3], float)
+    px, py, pz, w, x, y, z = pose.tolist()
+    a, b, c = np.asarray(point, float).tolist()
+    i, j, k = 2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)
+    return np.array([a + w * i + (y * k - z * j) + px, b + w * j + (z * i - x * k) + py, c + w * k + (x * j - y * i) + pz])

@@ -626,8 +626,8 @@ class Robot:
     def jacobian(self, frame: str, point: ArrayLike = (0, 0, 0)) -> FloatArray:
         """6 x velocity_count: what the velocities make of a point of a frame where the robot is, linear then angular, in the
         world's axes."""
-        turn = np.kron(np.eye(2), _turned(self._live.placement[3:]))
-        return np.asarray(turn @ self.model.jacobian(frame, self.positions, point), float)
+        turn, its = _turned(self._live.placement[3:]), self.model.jacobian(frame, self.positions, point)
+        return np.concatenate([turn @ its[:3], turn @ its[3:]])
 
     def mass_matrix(self) -> FloatArray:
         """``Model.mass_matrix`` at the robot's positions."""
