@@ -3,6 +3,7 @@
 """What bodies, joints, geoms and worlds share: an object holds a handle until it, or its world, is destroyed."""
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Generic, Never, Self, TypeVar, overload
 
@@ -20,12 +21,12 @@ S = TypeVar("S", contravariant=True)
 
 
 def three(value: Any, what: str = "") -> tuple[float, float, float]:
-    """A vector as C takes it, number by number; ``what`` names it in the error."""
+    """A vector as C takes it, number by number; ``what`` names it in the error; without it the property that is set does."""
     try:
         x, y, z = value
         return float(x), float(y), float(z)
     except (TypeError, ValueError):
-        raise ValueError(f"{what + ': ' if what else ''}3 numbers are expected, not {value!r}") from None
+        raise ValueError(f"{what or sys._getframe(1).f_code.co_name}: 3 numbers are expected, not {value!r}") from None
 
 
 class Object:

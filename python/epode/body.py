@@ -218,6 +218,9 @@ class Bodies:
             world._body_list = c.dWorldGetBodies(world._handle)
         return world._body_list
 
+    def __repr__(self) -> str:
+        return f"<epode.{type(self).__name__} of {len(self)}>"
+
     def get(self, *names: str, out: FloatArray | None = None) -> FloatArray:
         """One array with the named parts side by side, in the order of ``position``, ``quaternion``, ``velocity``,
         ``angular_velocity``, ``force``, ``torque``, ``enabled``. out: a float64 array of that size to fill instead of a

@@ -90,6 +90,8 @@ class Geom(Object):
 
     @material.setter
     def material(self, value: Material | None) -> None:
+        if value is not None and not isinstance(value, Material):
+            raise TypeError(f"a Material, such as epode.Material(friction=0.5), is expected, not {value!r}")
         c.dGeomSetMaterial(self._handle, None if value is None else value._to_c())
 
     def distance(self, other: Geom) -> float | None:

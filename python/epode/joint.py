@@ -73,6 +73,9 @@ class Joint(Object):
         """As ``World.joint`` does: handle is a joint of the world, of that kind, between body1 and body2 (None: the world)."""
         self.world, self._live, self.type, self.body1, self.body2 = world, handle, kind, body1, body2
 
+    def __repr__(self) -> str:
+        return f"<epode.Joint: {self.type}>" if self.alive else super().__repr__()
+
     anchor, anchor1, anchor2 = _place("anchor"), _place("anchor1"), _place("anchor2")
     axis, axis1, axis2, axis3 = _place("axis"), _place("axis1"), _place("axis2"), _place("axis3")
 

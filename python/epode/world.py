@@ -126,6 +126,12 @@ class World(Object):
         if threads is not None:
             self.threads = threads
 
+    def __repr__(self) -> str:
+        if not self.alive:
+            return super().__repr__()
+        counts = ((self._bodies, "bodies"), (self._joints, "joints"), (self._geoms, "geoms"), (self._robots, "robots"))
+        return f"<epode.World: {', '.join(f'{len(group)} {name}' for group, name in counts)}>"
+
     def __enter__(self) -> typing.Self:
         return self
 
@@ -501,8 +507,10 @@ class World(Object):
              filter: c.dQueryFilter | None = None, threads: int = 1) -> NDArray[typing.Any]:
         """Cast many rays: (n, 3) arrays of origins and directions, and lengths. Returns a structured array with geom (0:
         nothing), pos, normal, distance and side. filter: a ``c.dQueryFilter``."""
-        origins, directions = np.broadcast_arrays(np.atleast_2d(np.asarray(origins, float)),
-                                                  np.atleast_2d(np.asarray(directions, float)))
+        starts, ways = np.atleast_2d(np.asarray(origins, float)), np.atleast_2d(np.asarray(directions, float))
+        if starts.shape[1:] != (3,) or ways.shape[1:] != (3,) or len({len(starts), len(ways)} - {1}) > 1:
+            raise ValueError(f"origins and directions, rows of 3, as many or one, are expected, not {starts.shape} and {ways.shape}")
+        origins, directions = np.broadcast_arrays(starts, ways)
         lengths = np.broadcast_to(np.asarray(lengths, float), origins.shape[:1])
         return c.dSpaceRayBatch(self._space_handle, origins, directions, lengths, filter, threads)
 
@@ -516,6 +524,8 @@ class World(Object):
 
     def overlaps(self, geom: Geom, *, filter: c.dQueryFilter | None = None) -> list[Geom]:
         """The geoms that a geom touches or overlaps."""
+        if not isinstance(geom, Geom):
+            raise TypeError(f"a Geom, such as one of body.geoms, is expected, not {geom!r}")
         found = c.dSpaceOverlap(self._space_handle, geom._handle, filter)
         return [self._geoms[one.id] for one in found if one.id in self._geoms]
 

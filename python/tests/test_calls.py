@@ -92,7 +92,7 @@ def test_wrong_values_are_refused_without_a_word_of_c(program, recwarn):
     ("epode.Batch(robot.model, 2).rays('lowr', [[0, 0, 1]])", KeyError, "did you mean 'lower'"), ("world.record(robot)", TypeError, "title"),
     ("robot.jacobian('tip', [0, 0])", ValueError, "point: 3"), ("world.body(mass=1, shape='sphere')", TypeError, "epode.Box"), ("world.joint('hinge', None, axs=(0, 0, 1))", TypeError, "axis")])
 def test_robots_say_what_they_want(robot, program, kind, said):
-    names = {"epode": epode, "robot": robot, "robots": epode.robot.Robots([robot]), "world": robot.world}
+    names = {"epode": epode, "robot": robot, "robots": epode.robot.Robots([robot]), "world": robot.world, "np": np}
     before = robot.positions
     with pytest.raises(kind, match=said):
         exec(program, names)
@@ -160,3 +160,17 @@ def test_so_do_those_of_shapes(one):
     assert inspect.getdoc(one.__init__) == inspect.getdoc(one)
     words = inspect.getdoc(one).replace("_", " ")
     assert sum(name.split("_")[0] in words for name in list(inspect.signature(one).parameters)) >= min(2, len(inspect.signature(one).parameters))
+
+
+def test_objects_say_what_they_are_and_forget_materials():
+    world = epode.World()
+    ground, ball = world.plane(), world.body(mass=2, position=(0, 1, 2), shape=epode.Sphere(0.2))
+    hinge = world.joint("hinge", ball, None)
+    ground.material = epode.Material(friction=0.1)
+    ground.material = None
+    assert ground.material == epode.Material()
+    assert repr(world) == "<epode.World: 1 bodies, 1 joints, 2 geoms, 0 robots>" and repr(world.bodies) == "<epode.Bodies of 1>"
+    assert repr(ball) == "<epode.Body: 2 kg at (0, 1, 2)>" and repr(ground) == "<epode.Geom: a plane>" and "sphere" in repr(ball.geoms[0])
+    assert repr(hinge) == "<epode.Joint: hinge>" and repr(epode.BodyGroup([ball])) == "<epode.BodyGroup of 1>"
+    world.destroy()
+    assert all("destroyed" in repr(one) for one in (world, ground, ball, hinge))
