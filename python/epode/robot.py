@@ -699,12 +699,17 @@ class Robot:
         self._measured = False  # after the last step
 
     @property
+    def _is_there(self) -> bool:
+        """``alive``, looked up again only after something in the world was made or destroyed."""
+        return self._robot is not None and (self._seen == self.world._edition or self._look())
+
+    @property
     def _is_acting(self) -> bool:
-        return self._acts is not False and self.alive
+        return self._acts is not False and self._is_there
 
     @property
     def _is_sensing(self) -> bool:
-        return self._senses and self.alive
+        return self._senses and self._is_there
 
     def _act(self, h: float) -> None:
         """Before a step: add what acts from step to step, unless the program has."""

@@ -352,7 +352,7 @@ class World(Object):
         if steps < 0:
             raise ValueError(f"steps is {steps}; 0 or more are expected")
         handle, acting = self._handle, [robot for robot in self._robots if robot._is_acting]
-        sensing = [robot for robot in self._robots if robot.alive]
+        sensing = [robot for robot in self._robots if robot._is_there]
         for _ in range(steps):
             for robot in acting:
                 robot._act(h)
