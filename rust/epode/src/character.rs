@@ -4,6 +4,7 @@
 // Characters: geoms that walk. Their filter belongs to their place in the world's table, which lives as long as the geom.
 use crate::callbacks::{character_filter, CharacterFilter};
 use crate::error::{done, made};
+use crate::owned::Owned;
 use crate::prelude::*;
 use std::cell::RefCell;
 
@@ -25,11 +26,11 @@ impl World {
     /// returns false.
     pub fn set_character_filter(&mut self, id: GeomId, decide: impl FnMut(GeomId, Vec3) -> bool + Send + 'static) -> Result<()> {
         let geom = self.shared().geom(id)?;
-        let filter = Box::new(CharacterFilter { shared: self.shared_pointer(), decide: RefCell::new(Box::new(decide)) });
+        let filter = Owned::new(CharacterFilter { shared: self.shared_pointer(), decide: RefCell::new(Box::new(decide)) });
         let mut raw = CharacterSettings::empty();
         done(|| unsafe { sys::dCharacterGetSettings(geom, &mut raw) })?;
         raw.filter = Some(character_filter);
-        raw.data = std::ptr::from_ref(&*filter).cast_mut().cast();
+        raw.data = filter.pointer().cast();
         done(|| unsafe { sys::dCharacterSetSettings(geom, &raw) })?;
         self.shared().geoms.borrow_mut().data_mut(id.index).filter = Some(filter);
         Ok(())

@@ -3,6 +3,7 @@
 //
 // Joints: how they are made, and what is not written from the headers.
 use crate::error::{made, Error};
+use crate::owned::Owned;
 use crate::prelude::*;
 use std::cell::UnsafeCell;
 use std::marker::PhantomData;
@@ -96,8 +97,8 @@ impl<'w> JointMut<'w> {
     }
     /// Chooses whether steps write down what it does ([`Joint::feedback`]). C: `dJointSetFeedback`.
     pub fn keep_feedback(&mut self, on: bool) -> Result<()> {
-        let mut kept = on.then(|| Box::new(UnsafeCell::new(Feedback::empty())));
-        let pointer = kept.as_mut().map_or(std::ptr::null_mut(), |cell| cell.get());
+        let kept = on.then(|| Owned::new(UnsafeCell::new(Feedback::empty())));
+        let pointer = kept.as_ref().map_or(std::ptr::null_mut(), |feedback| feedback.get());
         call(|| unsafe { sys::dJointSetFeedback(self.raw, pointer) })?;
         self.shared().joints.borrow_mut().data_mut(self.id.index).feedback = kept;
         Ok(())

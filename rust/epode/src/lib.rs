@@ -73,6 +73,7 @@ mod error;
 mod geom;
 mod handle;
 mod joint;
+mod owned;
 mod query;
 #[cfg(feature = "robots")]
 mod robot;

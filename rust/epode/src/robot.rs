@@ -15,7 +15,7 @@ pub struct RobotId {
     number: u32,
 }
 
-pub(crate) struct Owned {
+pub(crate) struct Members {
     raw: sys::dRobotID,
     number: u32,
     pub bodies: Vec<BodyId>,
@@ -50,7 +50,7 @@ impl World {
         let shared = self.shared();
         let number = shared.robots_made.get();
         shared.robots_made.set(number + 1);
-        let mut owned = Owned { raw, number, bodies: Vec::new(), joints: Vec::new(), geoms: Vec::new() };
+        let mut owned = Members { raw, number, bodies: Vec::new(), joints: Vec::new(), geoms: Vec::new() };
         // Whatever is in the world now and was not known before is the robot's.
         let bodies = raw_bodies(self.raw());
         for &body in bodies.iter().filter(|&&body| shared.body_of(body).is_none()) {
@@ -106,7 +106,7 @@ impl World {
 impl Shared {
     /// After a roll-back: robots of which something is gone are gone.
     pub fn end_broken_robots(&self) {
-        let whole = |robot: &Owned| {
+        let whole = |robot: &Members| {
             robot.bodies.iter().all(|&id| self.body(id).is_ok())
                 && robot.joints.iter().all(|&id| self.joint(id).is_ok())
                 && robot.geoms.iter().all(|&id| self.geom(id).is_ok())
@@ -116,7 +116,7 @@ impl Shared {
         self.end_robots(broken);
     }
     /// Their handles of what is gone are refused by the library, which is what is wanted here.
-    pub fn end_robots(&self, robots: Vec<Owned>) {
+    pub fn end_robots(&self, robots: Vec<Members>) {
         for robot in robots {
             let _ = call(|| unsafe { sys::dRobotDestroy(robot.raw) });
         }

@@ -7,6 +7,7 @@
 use crate::callbacks::{CharacterFilter, ContactFilter, MovedCallback};
 use crate::error::{Error, ErrorKind, Result};
 use crate::handle::{BodyId, GeomId, JointId};
+use crate::owned::Owned;
 use crate::shape::Data;
 use epode_sys as sys;
 use std::any::Any;
@@ -175,14 +176,14 @@ pub(crate) struct BodyData {
 pub(crate) struct JointData {
     pub tag: u64,
     /// Where the library writes the joint's forces, in every step.
-    pub feedback: Option<Box<UnsafeCell<sys::dJointFeedback>>>,
+    pub feedback: Option<Owned<UnsafeCell<sys::dJointFeedback>>>,
 }
 #[derive(Default)]
 pub(crate) struct GeomData {
     pub tag: u64,
     /// The mesh or height field, destroyed after the last of its geoms. An Rc may travel with its world: all of its owners do.
     pub data: Option<Rc<Data>>,
-    pub filter: Option<Box<CharacterFilter>>,
+    pub filter: Option<Owned<CharacterFilter>>,
 }
 
 /// What a world's callbacks see while the world is lent to the call that makes them: therefore it is behind a pointer of its own, and all of
@@ -199,7 +200,7 @@ pub(crate) struct Shared {
     pub panic: RefCell<Option<Box<dyn Any + Send>>>,
     pub history: Cell<u64>, // how many steps can be taken back
     #[cfg(feature = "robots")]
-    pub robots: RefCell<Vec<crate::robot::Owned>>,
+    pub robots: RefCell<Vec<crate::robot::Members>>,
     #[cfg(feature = "robots")]
     pub robots_made: Cell<u32>,
     pub steps: Cell<u64>, // that have been made and not taken back

@@ -6,6 +6,7 @@ use epode::{
     BodyDef, Continuous, Defaults, ErrorKind, EventSettings, Filter, GeomDef, JointDef, JointKind, Mass, Material, Method, Param, Quat,
     Real, Result, Shape, Vec3, World,
 };
+use std::sync::{Arc, Mutex};
 
 const HOSTILE: [Real; 5] = [Real::NAN, Real::INFINITY, Real::NEG_INFINITY, 1e30 as Real, -1e30 as Real];
 
@@ -126,4 +127,23 @@ fn defaults_are_those_of_the_library() -> Result<()> {
     world.step(0.01)?;
     assert_eq!(world.step_report().map(|report| report.bodies), Some(1));
     Ok(())
+}
+
+#[test]
+fn notes_go_to_the_hook_whose_panics_go_no_further() -> Result<()> {
+    let mut world = World::new()?;
+    let notes = Arc::new(Mutex::new(Vec::new()));
+    let kept = notes.clone();
+    epode::on_message(Some(Box::new(move |number, text| {
+        kept.lock().unwrap().push((std::thread::current().id(), number, text.to_string()));
+        panic!("in the hook");
+    })));
+    // The mass that no body can have is a note; that a body must not have it is a refusal.
+    refused(world.add_body(&BodyDef::new().shape(Shape::cube(1.0)).density(-5.0)), "a negative density");
+    epode::on_message(None);
+    let here = std::thread::current().id();
+    let own: Vec<_> = notes.lock().unwrap().iter().filter(|note| note.0 == here).cloned().collect();
+    assert!(own.iter().any(|note| note.2.contains("mass")), "{own:?}");
+    assert!(world.bodies().is_empty() && world.geoms().is_empty());
+    world.step(0.01)
 }

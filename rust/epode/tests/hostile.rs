@@ -168,6 +168,30 @@ fn a_querys_filter_answers_at_random() -> Result<()> {
 }
 
 #[test]
+fn a_querys_filter_reads_all_that_can_be_read() -> Result<()> {
+    let (mut world, ball) = world_with_ball()?;
+    world.set_diagnosis_mode(true)?;
+    (0..5).try_for_each(|_| world.step(0.01))?;
+    let wanted = world.state_hash()?;
+    let mut calls = 0;
+    let mut reader = |geom: GeomId| {
+        calls += 1;
+        let copy = world.try_clone().unwrap();
+        assert_eq!(copy.state_hash().unwrap(), wanted);
+        assert_eq!(world.state_hash().unwrap(), wanted);
+        let around = world.overlaps(geom, &Filter::new()).unwrap_or_default();
+        let counts = (around.len(), world.contacts().len(), world.diagnose().len(), world.events().len(), world.geoms().len());
+        assert_eq!((counts.1, counts.4, world.body(ball).unwrap().joints().len()), (1, 2, 0));
+        let _ = (world.cast(geom, [0.0, 0.0, 1.0], &Filter::new()), world.geom(geom).unwrap().aabb());
+        true
+    };
+    assert_eq!(world.ray_all([0.0, 0.0, 5.0], [0.0, 0.0, -1.0], 9.0, &Filter::new().keep(&mut reader))?.len(), 2);
+    assert!(calls >= 2);
+    assert_eq!(world.state_hash()?, wanted);
+    Ok(())
+}
+
+#[test]
 fn numbers_are_extreme_everywhere() -> Result<()> {
     let (mut world, ball) = world_with_ball()?;
     let joint = world.add_joint(&JointDef::hinge(ball, None))?;
