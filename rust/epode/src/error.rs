@@ -186,6 +186,15 @@ pub(crate) fn call<T>(f: impl FnOnce() -> T) -> Result<T> {
     }
 }
 
+/// A call whose notes belong to its result: (the result, the texts of what was said).
+#[cfg(feature = "robots")]
+pub(crate) fn with_notes<T>(f: impl FnOnce() -> T) -> (T, Vec<String>) {
+    let level = Level::begin();
+    let result = f();
+    let said = level.said();
+    (result, said.into_iter().map(|one| one.text).collect())
+}
+
 #[cold]
 fn refusal_of(said: Vec<Said>) -> Option<String> {
     let mut refusal = None;

@@ -3,7 +3,7 @@
 //
 // Models of robots: what a file says, as data, and what a controller computes of it.
 use crate::contact::list;
-use crate::error::{made, start, Error, ErrorKind};
+use crate::error::{start, with_notes, Error};
 use crate::prelude::*;
 use std::ffi::{c_char, CStr, CString};
 use std::path::Path;
@@ -84,22 +84,22 @@ impl RobotModel {
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         start();
         let path = c_text(&path.as_ref().to_string_lossy())?;
-        Self::checked(made(|| unsafe { sys::dRobotModelLoad(path.as_ptr(), std::ptr::null()) })?)
+        Self::made(|| unsafe { sys::dRobotModelLoad(path.as_ptr(), std::ptr::null()) })
     }
     /// Reads a text as if it were the file `path`, in whose folder meshes are looked for. C: `dRobotModelLoadText`.
     pub fn from_text(path: &str, text: &str) -> Result<Self> {
         start();
         let path = c_text(path)?;
         let (pointer, size) = (text.as_ptr().cast(), text.len());
-        Self::checked(made(|| unsafe { sys::dRobotModelLoadText(path.as_ptr(), pointer, size, std::ptr::null()) })?)
+        Self::made(|| unsafe { sys::dRobotModelLoadText(path.as_ptr(), pointer, size, std::ptr::null()) })
     }
-    fn checked(raw: sys::dRobotModelID) -> Result<Self> {
-        let model = Self { raw };
-        if call(|| unsafe { sys::dRobotModelHasErrors(raw) })? == 0 {
-            return Ok(model);
+    fn made(load: impl FnOnce() -> sys::dRobotModelID) -> Result<Self> {
+        let (raw, notes) = with_notes(load);
+        let model = (!raw.is_null()).then_some(Self { raw });
+        match model {
+            Some(model) if sure(|| unsafe { sys::dRobotModelHasErrors(raw) }) == 0 => Ok(model),
+            _ => Err(Error::refused(notes.join("; "))),
         }
-        let error = model.report().into_iter().find(|line| line.starts_with("error")).unwrap_or_default();
-        Err(Error::new(ErrorKind::Refused, error))
     }
     /// What was read as something else, ignored or wrong, a line each. C: `dRobotModelGetReport`.
     pub fn report(&self) -> Vec<String> {

@@ -92,6 +92,7 @@ fn files_with_errors_are_refused() {
     for text in ["", "<robot/>", "<robot name='a'><joint name='j'/></robot>", "no file"] {
         assert!(RobotModel::from_text("a.urdf", text).is_err(), "{text}");
     }
-    assert!(RobotModel::load("/no/such.urdf").is_err());
+    let missing = RobotModel::load("/no/such.urdf").err().unwrap();
+    assert!(missing.text().contains("/no/such.urdf"), "{missing}");
     assert!(RobotModel::from_text("a\0b", ARM).is_err());
 }
