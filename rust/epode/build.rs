@@ -3,7 +3,9 @@
 //
 // Tests and examples of this crate find the library where epode-sys has found it.
 fn main() {
-    if let (Ok(folder), false) = (std::env::var("DEP_ODE_LIB_DIR"), cfg!(windows)) {
+    let Ok(folder) = std::env::var("DEP_ODE_LIB_DIR") else { return };
+    println!("cargo:rustc-env=EPODE_LINKED={folder}");
+    if !cfg!(windows) {
         println!("cargo:rustc-link-arg=-Wl,-rpath,{folder}");
     }
 }

@@ -124,7 +124,7 @@ pub use robot_model::{RobotJoint, RobotJointKind, RobotLink, RobotModel};
 pub use shape::Shape;
 pub use state::Fields;
 pub use values::{Mass, Mat3, Param, Quat, Real, Vec3};
-pub use world::{Method, World, WorldDef};
+pub use world::{step_worlds, Method, World, WorldDef};
 
 // The samples of the pages are compiled and run.
 #[cfg(doctest)]

@@ -288,6 +288,27 @@ impl World {
     }
 }
 
+/// Makes `steps` steps of `h` seconds in each of many worlds, with one stepper, on so many threads (0: one for each processor). Each has
+/// the bits that it would have alone. `substeps` is the number of those of the steppers that have them. Returns how many worlds have made
+/// all steps: those that find no memory stop. C: `dWorldsStep`.
+pub fn step_worlds(worlds: &mut [World], h: Real, stepper: Stepper, substeps: i32, steps: i32, threads: i32) -> Result<usize> {
+    let Ok(count) = i32::try_from(worlds.len()) else { return World::refuse("too many worlds") };
+    let raw: Vec<_> = worlds.iter().map(|world| world.raw).collect();
+    let mut made = vec![0; worlds.len()];
+    worlds.iter().for_each(|world| world.shared().begin_step());
+    let (of, to) = (raw.as_ptr(), made.as_mut_ptr());
+    let complete = call(|| unsafe { sys::dWorldsStep(of, count, h, stepper.number(), substeps, steps, threads, to) });
+    for (world, &steps) in worlds.iter().zip(&made) {
+        (0..steps).for_each(|_| world.shared().count_step());
+    }
+    // The panics of all callbacks are taken; the first goes on.
+    let mut panics: Vec<_> = worlds.iter().filter_map(|world| world.shared().panic.borrow_mut().take()).collect();
+    if !panics.is_empty() {
+        std::panic::resume_unwind(panics.swap_remove(0));
+    }
+    complete.map(|complete| complete.max(0) as usize)
+}
+
 impl Drop for World {
     fn drop(&mut self) {
         // Functions of the program are not called while what they belong to goes; then C lets go of what Rust has, then that is freed.
