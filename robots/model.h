@@ -231,6 +231,12 @@ struct Frame {
     Pose pose;
 };
 
+// It looks along the -z axis of its frame, x to the right, y up.
+struct Camera {
+    Frame frame;
+    double field = 0.785398163397448;  // of view, from the lowest to the highest row, rad
+};
+
 struct Start {
     std::string name;
     std::vector<double> positions;  // as many as the model has coordinates
@@ -259,6 +265,7 @@ struct RobotModel {
     std::vector<Actuator> actuators;
     std::vector<Sensor> sensors;
     std::vector<Frame> frames;
+    std::vector<Camera> cameras;
     std::vector<std::array<int, 2>> excluded;  // pairs of links that do not touch
     // Bodies of the file that are fixed to the world and do not touch some link, and those pairs: link, and number from 1 on.
     std::vector<std::string> still;

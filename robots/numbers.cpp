@@ -135,6 +135,8 @@ void judge_numbers(RobotModel& model)
     judge(model, model.tendons, "tendon", &Tendon::name);
     judge(model, model.actuators, "actuator", &Actuator::name);
     judge(model, model.frames, "frame", &Frame::name);
+    for (const Camera& camera : model.cameras)
+        if (!fits(camera.frame)) refuse(model, 0, "camera '" + camera.frame.name + "'");
     judge(model, model.starts, "start", &Start::name);
     judge(model, model.meshes, "mesh", &Mesh::path);
     judge(model, model.fields, "height field", &HeightField::path);

@@ -82,10 +82,12 @@ void merge_fixed_links(RobotModel& model)
         kept.push_back(std::move(link));
     }
     model.links = std::move(kept);
-    for (Frame& frame : model.frames) {
+    const auto move = [&](Frame& frame) {
         const Merged& its = place[size_t(frame.link)];
         frame.pose = its.pose * frame.pose, frame.link = its.link;
-    }
+    };
+    for (Frame& frame : model.frames) move(frame);
+    for (Camera& camera : model.cameras) move(camera.frame);
     for (Joint& joint : model.joints) joint.link = place[size_t(joint.link)].link;
     for (Closure& closure : model.closures) {
         const Merged &a = place[size_t(closure.link1)], &b = place[size_t(closure.link2)];

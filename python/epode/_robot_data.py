@@ -101,6 +101,15 @@ class Picture(typing.NamedTuple):
     geoms: NDArray[np.uint64]
 
 
+class Camera(typing.NamedTuple):
+    """A camera of a file: it looks along the -z axis of its frame, x to the right, y up. frame: position and quaternion in the frame of the
+    link of that number; field: of view, from the lowest to the highest row, rad."""
+    name: str
+    link: int
+    frame: FloatArray
+    field: float
+
+
 class Target(typing.NamedTuple):
     """Where a frame is to be brought: its point (in the frame, m) to position, m, and the frame to quaternion, in the
     model's world; None: anywhere, any way."""

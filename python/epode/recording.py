@@ -205,13 +205,13 @@ class Recording:
         show(self, **settings)
 
     def picture(self, path: str | os.PathLike[str] | None = None, *, state: int = -1, width: int = 1280, height: int = 720,
-                eye: ArrayLike | None = None, target: ArrayLike | None = None) -> bytes:
-        """A state as a PNG file, drawn without a display: from eye towards target, or from where all can be seen. Returns its
-        bytes, and writes them to path."""
+                eye: ArrayLike | None = None, target: ArrayLike | None = None, up: ArrayLike | None = None, field: float = 0.0) -> bytes:
+        """A state as a PNG file, drawn without a display: from eye towards target, or from where all can be seen. up: what is up in it, z
+        without it; field: of view, from the lowest to the highest row, rad; 0: 0.56. Returns its bytes, and writes them to path."""
         for name, side in (("width", width), ("height", height)):
             if not 1 <= side <= 4096:
                 raise ValueError(f"{name} {side}: 1 to 4096 expected")
-        png = _png(self._data.picture(self._state(state), width, height, eye, target), width, height)
+        png = _png(self._data.picture(self._state(state), width, height, eye, target, up, field), width, height)
         if path is not None:
             with open(path, "wb") as file:
                 file.write(png)

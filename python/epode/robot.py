@@ -30,7 +30,7 @@ from ._handle import FloatArray
 from ._geom_names import names_of
 from ._poses import _moved, _number, _product, _quaternion, _turned, _unknown, _vector
 from ._robots import Robots as Robots
-from ._robot_data import (Actuator as Actuator, Link as Link, ModelJoint as ModelJoint, Note as Note, Options as Options,
+from ._robot_data import (Actuator as Actuator, Camera as Camera, Link as Link, ModelJoint as ModelJoint, Note as Note, Options as Options,
                           Path as Path, Picture as Picture, RobotContact as RobotContact, Sensor as Sensor, Solution as Solution, Target as Target,
                           Touch as Touch)
 from .body import Body
@@ -108,6 +108,7 @@ class Model:
         self.joints = [ModelJoint(*row) for row in model.joints]
         self.actuators = [Actuator(*row) for row in model.actuators]
         self.sensors = [Sensor(*row) for row in model.sensors]
+        self.cameras = [Camera(*row) for row in model.cameras]
         self.starts = model.starts
         self._names_of_geoms: list[list[str]] | None = None  # of each link
 
@@ -267,7 +268,8 @@ class Model:
     def tendons(self, positions: ArrayLike) -> tuple[FloatArray, FloatArray]:
         """The lengths of all tendons, of spatial ones along their paths, m, and their moment arms: the derivatives of the
         lengths by the velocities, a row each."""
-        return self._model.tendons(positions)
+        lengths, slope = self._model.tendons(positions)
+        return (np.zeros(0) if lengths is None else lengths), slope  # None: there are none
 
     def inverse_dynamics(self, positions: ArrayLike, velocities: ArrayLike | None = None,
                          accelerations: ArrayLike | None = None) -> FloatArray:
@@ -725,6 +727,14 @@ class Robot:
         self._live.update_sensors(h)
         self._measured = True
 
+    def _view(self, camera: str) -> tuple[FloatArray, FloatArray, FloatArray, float]:
+        """Eye, target, what is up, and field of view of a camera of the file."""
+        its = next(one for one in self.model.cameras if one.name == camera)
+        pose = self._live.link_pose(its.link)
+        eye, turn = _moved(pose, its.frame[:3]), _product(pose[3:], its.frame[3:])
+        axes = np.concatenate([np.zeros(3), turn])
+        return eye, eye + _moved(axes, (0, 0, -1)), _moved(axes, (0, 1, 0)), its.field
+
     # ---- sensors ----
 
     def _at(self, frame: str, pose: ArrayLike | None) -> tuple[int, FloatArray]:
@@ -775,12 +785,15 @@ class Robot:
         """Distances from a frame along directions in its axes, (n, 3), to what is not its link; infinite: nothing."""
         return self._live.rays(*self._at(frame, pose), self.world._space_handle, directions, max_distance)
 
-    def picture(self, frame: str, width: int = 320, height: int = 240, *, field: float = 0.8, max_distance: float = 100.0,
+    def picture(self, frame: str, width: int = 320, height: int = 240, *, field: float | None = None, max_distance: float = 100.0,
                 threads: int = 1, pose: ArrayLike | None = None) -> Picture:
-        """A ``Picture`` by a camera that looks along a frame's -z axis, x to the right, y up; field: of view, from the
-        lowest to the highest row, rad. It needs no display; the frame's link is not seen."""
-        color, depth, geoms = self._live.picture(*self._at(frame, pose), self.world._space_handle, width, height, field,
-                                                 max_distance, threads)
+        """A ``Picture`` by a camera of the file (``Model.cameras``), or by one that looks along a frame's -z axis, x to the right, y up; field:
+        of view, from the lowest to the highest row, rad; None: the camera's, else 0.8. It needs no display; the frame's link is not seen."""
+        camera = next((one for one in self.model.cameras if one.name == frame), None)
+        if field is None:
+            field = 0.8 if camera is None else camera.field
+        place = self._at(frame, pose) if camera is None or pose is not None else (camera.link, camera.frame)
+        color, depth, geoms = self._live.picture(*place, self.world._space_handle, width, height, field, max_distance, threads)
         return Picture(np.frombuffer(color, np.uint8).reshape(height, width, 3), depth,
                        np.frombuffer(geoms, np.uint64).reshape(height, width))
 

@@ -402,10 +402,18 @@ class World(Object):
         return recording
 
     def picture(self, path: str | os.PathLike[str] | None = None, *, width: int = 1280, height: int = 720,
-                eye: ArrayLike | None = None, target: ArrayLike | None = None) -> bytes:
-        """The world now as a PNG file, as ``Recording.picture`` draws it. Returns its bytes, and writes them to path."""
+                eye: ArrayLike | None = None, target: ArrayLike | None = None, up: ArrayLike | None = None, field: float = 0.0,
+                camera: str | None = None) -> bytes:
+        """The world now as a PNG file, as ``Recording.picture`` draws it. camera: the name of one that the file of a robot has, in place of
+        eye, target, up and field. Returns its bytes, and writes them to path."""
         self._handle
-        return Recording(self).picture(path, width=width, height=height, eye=eye, target=target)
+        if camera is not None:
+            robot = next((one for one in self.robots if one.alive and any(its.name == camera for its in one.model.cameras)), None)
+            if robot is None:
+                names = [its.name for one in self.robots for its in one.model.cameras]
+                raise KeyError(f"no robot of this world has a camera {camera!r}: {', '.join(names) or 'there is none'}")
+            eye, target, up, field = robot._view(camera)
+        return Recording(self).picture(path, width=width, height=height, eye=eye, target=target, up=up, field=field)
 
     def view(self, h: float = 0.01, *, stepper: str | None = None, **settings: typing.Any) -> None:
         """Open a window and step the world by h seconds as the clock says, until the user closes it (``epode.viewer.show``)."""

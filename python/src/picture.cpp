@@ -24,18 +24,16 @@ using namespace epode;
     throw nb::python_error();
 }
 
-void set_camera(Studio& studio, nb::object eye, nb::object target)
+void set_camera(Studio& studio, const View& view)
 {
     viewer::Picture& picture = studio.picture;
     picture.camera = viewer::frame_shapes(studio.extents, float(picture.width) / float(picture.height));
-    if (!eye.is_none()) {
-        const auto from = numbers<3>(eye, "eye");
-        std::copy_n(from.v, 3, picture.camera.eye);
-    }
-    if (!target.is_none()) {
-        const auto to = numbers<3>(target, "target");
-        std::copy_n(to.v, 3, picture.camera.target);
-    }
+    const auto take = [](nb::object from, const char* name, float(&to)[3]) {
+        if (!from.is_none()) std::copy_n(numbers<3>(from, name).v, 3, to);
+    };
+    take(view.eye, "eye", picture.camera.eye), take(view.target, "target", picture.camera.target);
+    take(view.up, "up", picture.camera.up);
+    if (view.field > 0) picture.camera.fov = float(view.field * 180 / 3.14159265358979323846);
 }
 
 // Draws into the context that was current when it was made; it is used and dies while that one is current.
@@ -56,7 +54,7 @@ class Painter {
         studio.picture.width = width;
         studio.picture.height = height;
         studio.picture.quality = viewer::kQuick;
-        set_camera(studio, eye, target);
+        set_camera(studio, {eye, target});
         std::string problem;
         if (!viewer::check_picture(studio.picture, problem) || !renderer_->draw(studio.picture, problem))
             fail(problem);
@@ -88,13 +86,13 @@ nb::bytes screen(int width, int height)
 
 }  // namespace
 
-nb::bytes picture_of(const record::Recording& recording, size_t state, int width, int height, nb::object eye,
-                     nb::object target)
+nb::bytes picture_of(const record::Recording& recording, size_t state, int width, int height,
+                     const View& view)
 {
     Studio studio(recording, state);
     studio.picture.width = width;
     studio.picture.height = height;
-    set_camera(studio, eye, target);
+    set_camera(studio, view);
     std::string problem;
     std::vector<std::uint8_t> pixels;
     bool drawn = false;
@@ -123,7 +121,7 @@ void bind_picture(nb::module_& m)
 
 #else
 
-nb::bytes picture_of(const epode::record::Recording&, size_t, int, int, nb::object, nb::object)
+nb::bytes picture_of(const epode::record::Recording&, size_t, int, int, const View&)
 {
     PyErr_SetString(
         PyExc_RuntimeError,

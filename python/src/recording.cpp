@@ -168,10 +168,10 @@ void bind_recording(nb::module_& m)
         .def(
             "picture",
             [](const WorldRecording& self, size_t state, int width, int height, nb::object eye,
-               nb::object target) {
+               nb::object target, nb::object up, double field) {
                 state_at(self, state);
-                return picture_of(self.recording, state, width, height, eye, target);
+                return picture_of(self.recording, state, width, height, {eye, target, up, field});
             },
             nb::arg("state"), nb::arg("width"), nb::arg("height"), nb::arg("eye").none(),
-            nb::arg("target").none());
+            nb::arg("target").none(), nb::arg("up").none(), nb::arg("field"));
 }

@@ -14,10 +14,16 @@ struct WorldRecording {
     epode::record::Recorder recorder;  // holds a reference to the recording
 };
 
-// A state as pixels, three bytes each, rows from the top: from the eye towards the target, or from where all can be seen
-// (none). Throws what went wrong.
+// From the eye towards the target, or from where all can be seen (none); what is up in the picture (none: z); the field of view
+// from the lowest to the highest row, rad (0: a narrow one).
+struct View {
+    nb::object eye = nb::none(), target = nb::none(), up = nb::none();
+    double field = 0;
+};
+
+// A state as pixels, three bytes each, rows from the top. Throws what went wrong.
 nb::bytes picture_of(const epode::record::Recording& recording, size_t state, int width, int height,
-                     nb::object eye, nb::object target);
+                     const View& view);
 
 void bind_recording(nb::module_& m);
 void bind_picture(nb::module_& m);

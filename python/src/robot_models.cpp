@@ -144,6 +144,15 @@ nb::object frame(const Model& m, const std::string& name)
     return nb::make_tuple(its.link, row(its.pose));
 }
 
+// (name, link, pose in it, field of view)
+nb::list cameras(const Model& m)
+{
+    nb::list out;
+    for (const Camera& its : m.model.cameras)
+        out.append(nb::make_tuple(its.frame.name, its.frame.link, row(its.frame.pose), its.field));
+    return out;
+}
+
 nb::list frame_names(const Model& m)
 {
     nb::list out;
@@ -268,6 +277,7 @@ void bind_robot_models(nb::module_& m)
         .def_prop_ro("mocap", [](const Model& s) { return s.model.mocap_links(); })
         .def_prop_ro("sensors", sensors)
         .def_prop_ro("frame_names", frame_names)
+        .def_prop_ro("cameras", cameras)
         .def("frame", frame)
         .def("poses", poses)
         .def("jacobian", get_jacobian)

@@ -289,3 +289,130 @@ def test_the_table_of_words_is_mujocos():
     import sys
     root = pathlib.Path(__file__).parents[2]
     subprocess.run([sys.executable, root / "tools/mjcf_names.py", "--check"], cwd=root, check=True)
+
+
+HAND = """<mujoco model="hand"><compiler angle="radian"/><default><geom density="500"/><joint damping=".3"/></default><worldbody>
+<geom type="box" size=".1 .1 .1" pos="0 0 -.5" mass="0"/><site name="post" pos=".3 0 0"/><body name="palm" pos="0 0 .1"><joint name="wrist" axis="0 1 0" range="-1 1"/>
+<geom name="g" size=".1"/><site name="s" pos=".1 0 0"/><camera name="eye" pos=".2 0 0" euler="0 -1.57 0" fovy="60"/>
+<body name="tip" pos=".2 0 0" euler="0 0 .3"><joint name="finger" axis="1 1 0"/><geom type="box" size=".05 .02 .03"/></body></body>
+<body name="other" pos="0 1 0"><joint name="other" type="slide"/><geom size=".1"/></body></worldbody>
+<equality><joint joint1="finger" joint2="wrist" polycoef="0 .5"/><connect body1="palm" body2="other" anchor="0 0 0"/></equality>
+<tendon><fixed name="sum"><joint joint="wrist" coef="1"/><joint joint="finger" coef="-2"/></fixed>
+<spatial name="cord"><site site="s"/><site site="post"/></spatial></tendon>
+<actuator><motor name="wrist" joint="wrist"/><position name="sum" tendon="sum" kp="3"/><motor name="other" joint="other"/></actuator>
+<sensor><jointpos name="angle" joint="wrist"/><jointpos name="far" joint="other"/></sensor>
+<keyframe><key name="home" qpos=".3 .2 .1" ctrl="1 2 3"/></keyframe></mujoco>"""
+ARM = """<mujoco><asset><model name="hand" file="hand.xml"/></asset><worldbody><body name="arm"><joint name="a" axis="0 1 0"/><geom size=".2"/>
+<frame pos="1 0 0" euler="0 0 90"><attach model="hand" BODY prefix="l_"/></frame><attach model="hand" BODY prefix="r_"/>
+<body name="after"><joint name="z"/><geom size=".1"/></body></body></worldbody>
+<actuator><motor name="a" joint="a"/><motor name="its" joint="l_finger" gear="2"/></actuator>
+<keyframe><key name="own" qpos="QPOS"/></keyframe></mujoco>"""
+
+
+@pytest.mark.parametrize("body, count", [("body='palm'", 6), ("body='tip'", 4), ("", 8)])
+def test_what_a_file_attaches_of_another_is_where_mujoco_has_it(body, count, tmp_path):
+    mujoco = judge()
+    (tmp_path / "hand.xml").write_text(HAND)
+    text = ARM.replace("BODY", body).replace("QPOS", " ".join(["0"] * count))
+    (tmp_path / "arm.xml").write_text(text)
+    theirs = mujoco.MjModel.from_xml_path(str(tmp_path / "arm.xml"))
+    ours = epode.load(tmp_path / "arm.xml", keep_fixed=True)
+    data, random = mujoco.MjData(theirs), np.random.default_rng(4)
+    assert ours.link_names[1:] == [theirs.body(i).name for i in range(1, theirs.nbody)]
+    assert ours.joint_names == [theirs.joint(i).name for i in range(theirs.njnt)]
+    assert ours.actuator_names == [theirs.actuator(i).name for i in range(theirs.nu)]
+    assert ours.tendon_names == [theirs.tendon(i).name for i in range(theirs.ntendon)]
+    assert [one.name for one in ours.sensors] == [theirs.sensor(i).name for i in range(theirs.nsensor)]
+    assert [one.name for one in ours.cameras] == [theirs.camera(i).name for i in range(theirs.ncam)]
+    assert list(ours.starts) == [theirs.key(i).name for i in range(theirs.nkey)]
+    for i, positions in enumerate(ours.starts.values()):
+        np.testing.assert_allclose(positions, theirs.key_qpos[i], atol=1e-14)
+    for _ in range(5):
+        data.qpos[:], data.qvel[:] = random.normal(size=theirs.nq), random.normal(size=theirs.nv)
+        mujoco.mj_forward(theirs, data)
+        full = np.zeros((theirs.nv, theirs.nv))
+        for row, unit in zip(full, np.eye(theirs.nv)):
+            mujoco.mj_mulM(theirs, data, row, unit)
+        np.testing.assert_allclose(ours.mass_matrix(data.qpos), full, atol=1e-11)
+        np.testing.assert_allclose(ours.inverse_dynamics(data.qpos, data.qvel), data.qfrc_bias, atol=1e-10)
+        np.testing.assert_allclose(ours.tendons(data.qpos)[0], data.ten_length, atol=1e-12)
+        for camera, place, turn in zip(ours.cameras, data.cam_xpos, data.cam_xmat):
+            position, quaternion = ours.fk(data.qpos)[camera.link][:3], ours.fk(data.qpos)[camera.link][3:]
+            from epode._poses import _moved, _product
+            np.testing.assert_allclose(_moved(np.concatenate([position, quaternion]), camera.frame[:3]), place, atol=1e-12)
+            q = _product(quaternion, camera.frame[3:])
+            np.testing.assert_allclose(_moved(np.concatenate([np.zeros(3), q]), (0, 0, 1)), turn.reshape(3, 3)[:, 2], atol=1e-9)
+            assert camera.field == pytest.approx(np.pi / 3)
+
+
+@pytest.mark.parametrize("text, words", [
+    (ARM.replace("BODY", "body='pal'").replace("QPOS", "0"), ["no body 'pal'"]),
+    (ARM.replace("BODY", "").replace('model="hand" ', 'model="foot" ', 1).replace("QPOS", "0"), ["'foot'"]),
+    (ARM.replace("BODY", "").replace("r_", "l_").replace("QPOS", "0 " * 8), ["prefix"]),
+    (ARM.replace("hand.xml", "arm.xml").replace("BODY", "").replace("QPOS", "0"), ["attaches itself"]),
+    (ARM.replace("hand.xml", "none.xml").replace("BODY", "").replace("QPOS", "0"), ["none.xml"])])
+def test_an_attachment_that_cannot_be_is_refused(text, words, tmp_path):
+    (tmp_path / "hand.xml").write_text(HAND)
+    (tmp_path / "arm.xml").write_text(text)
+    with pytest.raises(epode.RefusedError) as error:
+        epode.load(tmp_path / "arm.xml")
+    assert all(word in str(error.value) for word in words), str(error.value)
+    if words != ["attaches itself"]:  # at which MuJoCo 4.0 ends the process
+        with pytest.raises(ValueError):
+            judge().MjModel.from_xml_path(str(tmp_path / "arm.xml"))
+
+
+LOOKED_AT = ("<mujoco><asset><material name='red' rgba='1 0 0 1'/></asset><worldbody><camera name='above' pos='0 0 3' fovy='30'/>"
+             "<body name='ball' pos='0 0 1'><joint axis='0 1 0'/><geom name='ball' size='.3' material='red'/>"
+             "<camera name='on' pos='0 -1 0' xyaxes='1 0 0 0 0 1' focal='.01 .02' sensorsize='.02 .02'/>"
+             "<site name='on' pos='0 -1 0' xyaxes='1 0 0 0 0 1'/></body>"
+             "<body name='cube' pos='1 0 1'><freejoint/><geom type='box' size='.2 .2 .2' rgba='0 1 0 1' material='red'/></body></worldbody></mujoco>")
+
+
+def test_cameras_of_a_file_see_its_colours():
+    mujoco = judge()
+    theirs = mujoco.MjModel.from_xml_string(LOOKED_AT)
+    model = epode.robot.from_text(LOOKED_AT)
+    assert [one.name for one in model.cameras] == ["above", "on"]
+    np.testing.assert_allclose([one.field for one in model.cameras], [np.pi / 6, 2 * np.arctan(0.5)])
+    data = mujoco.MjData(theirs)
+    mujoco.mj_forward(theirs, data)
+    robot = model.build()
+    picture = robot.picture("above", 64, 48)
+    middle = picture.color[24, 32].astype(int)
+    assert middle[0] > 3 * max(middle[1], middle[2]) and picture.depth[24, 32] == pytest.approx(1.7, abs=0.01)
+    rows = np.flatnonzero(np.isfinite(picture.depth[:, 32]))
+    # Half the sphere's angle, of the field's half: tan(asin(0.3 / 2)) / tan(15 degrees) of 24 rows.
+    assert len(rows) / 2 == pytest.approx(24 * np.tan(np.arcsin(0.15)) / np.tan(np.pi / 12), abs=1)
+    seen = robot.picture("on", 64, 48, field=1.2)
+    assert not np.isfinite(seen.depth[24, 32])  # its own link is not seen
+    again = model.edit()
+    assert again.model().cameras[1].field == pytest.approx(model.cameras[1].field)
+    np.testing.assert_allclose(again.geoms["ball"].color, (1, 0, 0, 1))
+    with pytest.raises(KeyError, match="above"):
+        robot.world.picture(camera="abov")
+
+
+def test_a_window_s_picture_is_drawn_from_a_camera_of_the_file():
+    model = epode.robot.from_text(LOOKED_AT)
+    world = model.build().world
+    try:
+        by_name = world.picture(camera="above", width=64, height=48)
+    except RuntimeError as error:
+        pytest.skip(str(error))
+    assert by_name == world.picture(eye=(0, 0, 3), target=(0, 0, 2), up=(0, 1, 0), field=np.pi / 6, width=64, height=48)
+    assert by_name != world.picture(eye=(0, 0, 3), target=(0, 0, 2), up=(1, 0, 0), field=np.pi / 6, width=64, height=48)
+
+
+@pytest.mark.parametrize("text, words", [
+    ("<mujoco><worldbody><body><geom type='sphear' size='.1'/></body></worldbody></mujoco>", ["'sphear'", "'sphere'"]),
+    ("<mujoco><worldbody><body><joint type='hing'/><geom size='.1'/></body></worldbody></mujoco>", ["'hing'", "'hinge'"]),
+    ("<mujoco><worldbody><body><joint limited='yes'/><geom size='.1'/></body></worldbody></mujoco>", ["limited", "'yes'"]),
+    ("<mujoco><compiler angle='rad'/><worldbody/></mujoco>", ["angle", "radian"]),
+    ("<mujoco><option><flag gravity='off'/></option><worldbody/></mujoco>", ["gravity", "disable"])])
+def test_values_that_no_keyword_is_are_errors(text, words):
+    with pytest.raises(epode.RefusedError) as error:
+        epode.robot.from_text(text)
+    assert all(word in str(error.value) for word in words)
+    with pytest.raises(ValueError):
+        judge().MjModel.from_xml_string(text)

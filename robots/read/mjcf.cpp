@@ -3,6 +3,7 @@
 //
 // The document: see mjcf.h.
 #include "robots/read/mjcf.h"
+#include "robots/files/mjcf_custom.h"
 #include "robots/fluid.h"
 
 #include <algorithm>
@@ -176,6 +177,27 @@ void Mjcf::switch_off()
         for (Actuator& actuator : model_.actuators) actuator.low = -kInfinity, actuator.high = kInfinity;
 }
 
+// Of what stands there, what we write ourselves.
+void Mjcf::read_custom(const Element& section)
+{
+    for (const Element& element : expand(section)) {
+        const std::string name = element.text("name"), data = element.text("data");
+        if (name == kOverlapsName && data == kOverlapsApart) model_.touches_itself = false;
+        if (name == kFrictionName && data == kFrictionMean) model_.largest_friction = false;
+        if (name != kVelocitiesName && name != kOnParentName) continue;
+        for (const Element& its : element.children("element")) {
+            const std::string object = its.text("objname");
+            const int joint = model_.joint_named(object);
+            double velocity = 0;
+            if (name == kVelocitiesName && joint >= 0 && reading_.number(its, "prm", velocity) &&
+                velocity > 0)
+                model_.joints[size_t(joint)].max_velocity = velocity;
+            for (Sensor& sensor : model_.sensors)
+                if (name == kOnParentName && sensor.name == object) sensor.is_on_child = false;
+        }
+    }
+}
+
 // Of a mesh or height field, as the compiler's folders have it.
 std::string Mjcf::asset_file(const Element& element) const
 {
@@ -190,8 +212,13 @@ void Mjcf::read_assets(const Element& section)
         const std::string file = asset_file(element), named = element.text("name");
         const std::string name = named.empty() ? std::filesystem::path(file).stem().string() : named;
         if (element.name() == "hfield") fields_[name] = {element, file, -1, false};
-        if (element.name() == "skin" || element.name() == "model")
-            reading_.note(Note::kIgnored, element, "asset <" + element.name() + ">");
+        if (element.name() == "model") models_[name] = {element, element.text("file"), nullptr};
+        if (element.name() == "skin") reading_.note(Note::kIgnored, element, "asset <skin>");
+        if (element.name() == "material") {
+            std::vector<double> color{1, 1, 1, 1};
+            list(defaults_.of(element, "", reading_), "rgba", 4, 4, color);
+            materials_[name] = {float(color[0]), float(color[1]), float(color[2]), float(color[3])};
+        }
         if (element.name() != "mesh") continue;
         const Attributes attributes = defaults_.of(element, "", reading_);
         Asset asset;
@@ -278,7 +305,9 @@ void Mjcf::read()
     if (!is_off("equality")) read_sections(sections, "equality", &Mjcf::read_equalities);
     read_sections(sections, "actuator", &Mjcf::read_actuators);
     read_sections(sections, "sensor", &Mjcf::read_sensors);
+    read_sections(sections, "custom", &Mjcf::read_custom);
     read_sections(sections, "keyframe", &Mjcf::read_keys);
+    finish_attached();
     switch_off();
     note_other_sections(sections);
 }

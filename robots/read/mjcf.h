@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The reader of MJCF, in six files: the document (compiler, assets, includes), copies, the tree of bodies, height fields, tendons, and what acts on it
+// The reader of MJCF, in seven files: the document (compiler, assets, includes), copies, what is attached of other files, the tree of bodies, height fields, tendons, and what acts on it
 // (actuators, equalities, contacts, keys). Sections may stand in any order and be divided over files, so
 // they are collected first and read in the order in which they need each other.
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 
 #include "robots/inertia.h"
@@ -54,6 +55,13 @@ class Mjcf {
         bool tried = false;
     };
 
+    struct ModelFile {
+        Element element;
+        std::string file;
+        std::shared_ptr<RobotModel> model;
+        int mesh = -1, field = -1;  // where its meshes and height fields are among ours
+    };
+
     // Children with the files that they include in place.
     std::vector<Element> expand(const Element& element);
     void include(const Element& element, std::vector<Element>& out);
@@ -63,12 +71,20 @@ class Mjcf {
     void copy_times(const Element& replicate, pugi::xml_node to, const std::string& suffix);
     void replicate(const Element& element, std::vector<Element>& out);
     void copy_user(const Element& element, std::vector<Element>& out);
+    // mjcf_attach.cpp
+    struct Attached;
+    std::shared_ptr<const RobotModel> model_of_file(const Element& where, ModelFile& asset);
+    void attach(const Element& element, const Scope& scope);
+    void take_frames(const std::vector<int>& links, const std::string& prefix, const RobotModel& other,
+                     const Pose& of_world);
+    void finish_attached();
 
     void read_compiler(const Element& element);
     void read_option(const Element& element);
     void read_flag(const Element& flag);
     bool is_off(const char* flag) const { return off_.count(flag) > 0; }
     void switch_off();
+    void read_custom(const Element& section);
     void read_assets(const Element& section);
     std::string asset_file(const Element& element) const;
     void set_total_mass();
@@ -87,6 +103,8 @@ class Mjcf {
     void read_children(const std::vector<Element>& children, const Scope& scope);
     void read_inertial(const Attributes& attributes, const Pose& frame, Inertia& out);
     void read_joint(const Attributes& attributes, const Scope& scope);
+    void read_camera(const Attributes& attributes, const Scope& scope);
+    void read_color(const Attributes& attributes, Shape& shape);
     void read_free_joint(const Attributes& attributes, const Scope& scope);
     bool read_range(const Attributes& attributes, Joint& joint);
     void read_passive(const Attributes& attributes, Joint& joint);
@@ -166,6 +184,9 @@ class Mjcf {
     std::set<std::string> off_;  // flags that an option has disabled
     std::map<std::string, Asset> assets_;
     std::map<std::string, Field> fields_;
+    std::map<std::string, ModelFile> models_;                // of files that bodies are attached from
+    std::map<std::string, std::array<float, 4>> materials_;  // their colours
+    std::vector<std::shared_ptr<Attached>> attached_;
     std::map<std::string, std::unique_ptr<Document>> documents_;
     std::vector<std::string> including_;
     size_t includes_ = 0;

@@ -84,7 +84,7 @@ Pose Mjcf::pose_of(const Attributes& attributes)
 // Bodies that others must build first: what is in them is not read.
 bool Mjcf::has_no_place(const Element& element)
 {
-    static const std::set<std::string> none{"composite", "flexcomp", "plugin", "attach"};
+    static const std::set<std::string> none{"composite", "flexcomp", "plugin"};
     if (!none.count(element.name())) return false;
     reading_.note(element.name() == "plugin" ? Note::kIgnored : Note::kError, element,
                   "<" + element.name() + "> in a body is not read");
@@ -113,7 +113,7 @@ void Mjcf::read_own(const std::vector<Element>& children, const Scope& scope, In
             if (++inner.depth < kMaxDepth) read_own(expand(child), inner, of_geoms, inertial);
             continue;
         }
-        if (name == "body" || name == "light" || name == "camera" || has_no_place(child)) continue;
+        if (name == "body" || name == "light" || name == "attach" || has_no_place(child)) continue;
         const Attributes attributes = defaults_.of(child, scope.childclass, reading_);
         if (name == "inertial") {
             read_inertial(attributes, scope.pose, *inertial);
@@ -125,6 +125,8 @@ void Mjcf::read_own(const std::vector<Element>& children, const Scope& scope, In
             read_geom(attributes, scope, of_geoms);
         } else if (name == "site") {
             model_.frames.push_back({child.text("name"), scope.link, scope.pose * pose_of(attributes)});
+        } else if (name == "camera") {
+            read_camera(attributes, scope);
         } else {
             reading_.note(Note::kIgnored, child, "<" + name + "> in a body");
         }
@@ -134,6 +136,7 @@ void Mjcf::read_own(const std::vector<Element>& children, const Scope& scope, In
 void Mjcf::read_children(const std::vector<Element>& children, const Scope& scope)
 {
     for (const Element& child : children) {
+        if (child.name() == "attach") attach(child, scope);
         if (child.name() != "body" && child.name() != "frame") continue;
         if (scope.depth >= kMaxDepth) return reading_.error(child, "bodies are nested deeper than 400");
         if (model_.links.size() > kMaxLinks) return reading_.error(child, Reading::too_many_links());
@@ -436,8 +439,7 @@ void Mjcf::read_geom(const Attributes& a, const Scope& scope, Inertia& of_geoms)
     number(a, "contype", contype), number(a, "conaffinity", conaffinity);
     shape.category = std::uint32_t(std::clamp(contype, 0.0, 4294967295.0));
     shape.collide = std::uint32_t(std::clamp(conaffinity, 0.0, 4294967295.0));
-    if (list(a, "rgba", 4, 4, values))
-        for (size_t i = 0; i < 4; ++i) shape.color[i] = float(values[i]);
+    read_color(a, shape);
     read_softness(a, {"solref", "solimp"}, shape.softness);
     double priority = 0;
     if (number(a, "priority", priority)) shape.priority = int(std::clamp(priority, -1e6, 1e6));
@@ -446,6 +448,38 @@ void Mjcf::read_geom(const Attributes& a, const Scope& scope, Inertia& of_geoms)
     add_mass(a, shape, of_geoms);
     Link& link = model_.links[size_t(scope.link)];
     (touches_ && (shape.category || shape.collide) ? link.shapes : link.visuals).push_back(shape);
+}
+
+// Its own, unless that is the grey of no choice and a material has one.
+void Mjcf::read_color(const Attributes& a, Shape& shape)
+{
+    std::vector<double> values;
+    if (list(a, "rgba", 4, 4, values))
+        for (size_t i = 0; i < 4; ++i) shape.color[i] = float(values[i]);
+    const bool is_grey = values.empty() || values == std::vector<double>{0.5, 0.5, 0.5, 1};
+    if (const auto material = materials_.find(a.text("material")); is_grey && material != materials_.end())
+        std::copy_n(material->second.begin(), 4, shape.color);
+}
+
+// The field of view is degrees whatever the compiler says; a sensor of some size behind a lens has one, too.
+void Mjcf::read_camera(const Attributes& a, const Scope& scope)
+{
+    Camera camera;
+    double degrees = 45;
+    std::vector<double> sensor, focal, pixels;
+    camera.frame = {a.element().text("name"), scope.link, scope.pose * pose_of(a)};
+    number(a, "fovy", degrees);
+    camera.field = degrees * kPi / 180;
+    const bool has_lens = list(a, "focal", 2, 2, focal) && list(a, "sensorsize", 2, 2, sensor);
+    if (has_lens && focal[1] > 0) camera.field = 2 * std::atan2(sensor[1] / 2, focal[1]);
+    if (list(a, "focalpixel", 2, 2, focal) && list(a, "resolution", 2, 2, pixels) && focal[1] > 0)
+        camera.field = 2 * std::atan2(pixels[1] / 2, focal[1]);
+    if (!(camera.field > 0 && camera.field < kPi))
+        return reading_.error(a.element(), "a camera whose field of view is not between 0 and 180 degrees");
+    if (a.has("mode") && a.text("mode") != "fixed")
+        reading_.note_once(Note::kApproximated, a.element(),
+                           "cameras that follow something (mode) are fixed to their bodies");
+    model_.cameras.push_back(camera);
 }
 
 void Mjcf::add_mass(const Attributes& a, const Shape& shape, Inertia& of_geoms)

@@ -96,6 +96,27 @@ Words elements_in(const std::string& path)
     return out;
 }
 
+// Values that an attribute of some element must have, where another one would mean something else than MuJoCo's refusal.
+const std::string* keywords_of(const std::string& element, const std::string& attribute)
+{
+    static const std::string shapes = "plane hfield sphere capsule ellipsoid cylinder box mesh sdf",
+                             switches = "false true", limits = "false true auto", flags = "disable enable";
+    static const std::map<std::string, std::string> table{{"joint type", "free ball slide hinge"},
+                                                          {"geom type", shapes},
+                                                          {"site type", shapes},
+                                                          {"compiler angle", "radian degree"},
+                                                          {"compiler autolimits", switches},
+                                                          {"compiler inertiafromgeom", limits},
+                                                          {"body mocap", switches},
+                                                          {"mesh inertia", "convex exact legacy shell"}};
+    static const std::set<std::string> limited{"limited", "ctrllimited", "forcelimited", "actlimited",
+                                               "actuatorfrclimited"};
+    if (element == "flag") return &flags;
+    if (limited.count(attribute)) return &limits;
+    const auto found = table.find(element + " " + attribute);
+    return found == table.end() ? nullptr : &found->second;
+}
+
 // How many letters must be changed, added or left out.
 size_t distance(const std::string& a, const std::string& b)
 {
@@ -170,6 +191,20 @@ void MjcfNames::check_attributes(const Element& element, const std::string& path
     }
 }
 
+void MjcfNames::check_keywords(const Element& element)
+{
+    for (const pugi::xml_attribute& attribute : element.node.attributes()) {
+        const std::string* const keywords = keywords_of(element.name(), attribute.name());
+        const std::string value = attribute.value();
+        if (!keywords) continue;
+        const Words known = words_of(*keywords);
+        if (!known.count(value))
+            reading_.error(element, "<" + element.name() + "> " + attribute.name() + " is '" +
+                                        value.substr(0, 60) + "', and there are " + *keywords +
+                                        advice(value, known));
+    }
+}
+
 void MjcfNames::check_name(const Element& element, const std::string& path)
 {
     std::string kind = named_kind(path);
@@ -184,6 +219,7 @@ void MjcfNames::check_name(const Element& element, const std::string& path)
 void MjcfNames::check(const Element& element, const std::string& path)
 {
     check_attributes(element, path);
+    check_keywords(element);
     check_name(element, path);
     if (path.starts_with("body/composite")) return;
     const Words known = elements_in(path);

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Whether what a file says is MJCF: elements and attributes that there are, and names that stand once. A word that is none is an
-// error with the nearest word that is one; what only older versions of the format had is ignored, with a line in the report.
+// error with the nearest word that is one, and so is a value that none of an attribute's keywords is; what only older versions of the format had is ignored, with a line in the report.
 #pragma once
 
 #include <map>
@@ -24,6 +24,7 @@ class MjcfNames {
 
   private:
     void check_attributes(const Element& element, const std::string& path);
+    void check_keywords(const Element& element);
     void check_name(const Element& element, const std::string& path);
 
     Reading& reading_;

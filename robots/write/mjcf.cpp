@@ -9,6 +9,7 @@
 #include <map>
 
 #include "robots/files/files.h"
+#include "robots/files/mjcf_custom.h"
 #include "robots/sensor_kinds.h"
 #include "robots/write/text.h"
 #include "robots/write/write.h"
@@ -76,6 +77,9 @@ class MjcfWriter {
     Sensed frame_object(const std::string& kind, const std::string& type, const std::string& name) const;
     void write_reference(Node its, const Sensor& sensor) const;
     void write_sensors();
+    void write_custom();
+    void write_cameras();
+    Node tuple(const char* name);
     void note_losses();
     Node body_of(int link, const Shape& shape);
     Node section(const char* name);
@@ -236,7 +240,8 @@ void MjcfWriter::write_passive(Node node, const Joint& joint)
         set(node, "actuatorfrcrange", range_of(-joint.max_force, joint.max_force));
         set(node, "actuatorfrclimited", "true");
     }
-    if (std::isfinite(joint.max_velocity)) losses_.add("limits of velocities are not in MJCF");
+    if (std::isfinite(joint.max_velocity))
+        losses_.add("limits of velocities are not in MJCF: they stand in its <custom>, for Epode alone");
 }
 
 void MjcfWriter::write_size(Node geom, const Shape& shape)
@@ -323,6 +328,17 @@ void MjcfWriter::write_bodies()
         frames_.push_back(frame.name.empty() ? "" : sites_.unique(frame.name, "site", i));
         if (!frames_[i].empty()) set(site, "name", frames_[i]);
         write_pose(site, frame.pose);
+    }
+}
+
+void MjcfWriter::write_cameras()
+{
+    Names names;
+    for (const Camera& camera : model_.cameras) {
+        Node its = bodies_[size_t(camera.frame.link)].append_child("camera");
+        name_it(its, names, camera.frame.name);
+        write_pose(its, camera.frame.pose);
+        set(its, "fovy", camera.field * 180 / kPi);
     }
 }
 
@@ -557,13 +573,18 @@ void MjcfWriter::write_sensors()
         }
         Node its = section("sensor").append_child(sensor.kind.c_str());
         name_it(its, sensor_names_, sensor.name);
+        const bool is_force = sensor.kind == "force" || sensor.kind == "torque";
+        if (is_force && !sensor.is_on_child && !sensor.name.empty()) {
+            Node element = tuple(kOnParentName).append_child("element");
+            set(element, "objtype", "sensor"), set(element, "objname", its.attribute("name").value());
+        }
         if (!on.type.empty()) set(its, "objtype", on.type);
         set(its, on.attribute.c_str(), on.object);
         write_reference(its, sensor);
-        if ((sensor.kind == "force" || sensor.kind == "torque") && !sensor.is_on_child)
+        if (is_force && !sensor.is_on_child)
             losses_.add(
                 "force and torque sensors of MJCF read what acts on a link, not on its parent: the sign "
-                "differs");
+                "differs, but for Epode");
     }
 }
 
@@ -604,9 +625,35 @@ MjcfWriter::Sensed MjcfWriter::frame_object(const std::string& kind, const std::
 
 void MjcfWriter::note_losses()
 {
-    if (!model_.touches_itself) losses_.add("in MJCF links that overlap at the reference position touch");
+    if (!model_.touches_itself)
+        losses_.add("in MJCF links that overlap at the reference position touch, but for Epode");
     if (!model_.largest_friction)
-        losses_.add("MJCF takes the larger friction of a pair, not the geometric mean");
+        losses_.add("MJCF takes the larger friction of a pair, not the geometric mean, but for Epode");
+}
+
+Node MjcfWriter::tuple(const char* name)
+{
+    const Node custom = section("custom"), found = custom.find_child_by_attribute("tuple", "name", name);
+    if (found) return found;
+    Node its = section("custom").append_child("tuple");
+    set(its, "name", name);
+    return its;
+}
+
+void MjcfWriter::write_custom()
+{
+    const auto text = [&](const char* name, const char* data) {
+        Node its = section("custom").append_child("text");
+        set(its, "name", name), set(its, "data", data);
+    };
+    if (!model_.touches_itself) text(kOverlapsName, kOverlapsApart);
+    if (!model_.largest_friction) text(kFrictionName, kFrictionMean);
+    for (size_t i = 0; i < model_.joints.size(); ++i) {
+        if (!std::isfinite(model_.joints[i].max_velocity)) continue;
+        Node its = tuple(kVelocitiesName).append_child("element");
+        set(its, "objtype", "joint"), set(its, "objname", joints_[i]);
+        set(its, "prm", model_.joints[i].max_velocity);
+    }
 }
 
 WrittenRobot MjcfWriter::write()
@@ -618,9 +665,11 @@ WrittenRobot MjcfWriter::write()
     set(compiler, "angle", "radian"), set(compiler, "autolimits", "false"),
         set(compiler, "inertiafromgeom", "false");
     write_option(root_.append_child("option"));
+    write_custom();
     write_meshes();
     write_fields();
     write_bodies();
+    write_cameras();
     write_closures();
     write_tendons();
     write_couplings();

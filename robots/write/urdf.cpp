@@ -286,6 +286,7 @@ void UrdfWriter::note_losses()
     const RobotModel& m = model_;
     if (!m.closures.empty()) losses_.add("loops are not in URDF");
     if (!m.tendons.empty()) losses_.add("tendons are not in URDF");
+    if (!m.cameras.empty()) losses_.add("cameras are not in URDF");
     if (!m.starts.empty()) losses_.add("start poses are not in URDF");
     gazebo_->note_losses();
     if (m.gravity.x != 0 || m.gravity.y != 0 || m.gravity.z != -9.81) losses_.add("gravity is not in URDF");

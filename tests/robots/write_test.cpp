@@ -84,6 +84,27 @@ TEST(Write, AUrdfKeepsWhatGazeboAddsToIt)
     for (const std::string& lost : written.lost) EXPECT_EQ(lost.find("sensor"), std::string::npos) << lost;
 }
 
+// What MJCF has no words for stands in its <custom>.
+TEST(Write, MjcfKeepsWhatAUrdfMeansByItsContactsSpeedsAndForces)
+{
+    const char* const text = R"(<robot name="rover">
+      <link name="base"><inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+      <link name="flap"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+      <joint name="hinge" type="revolute"><parent link="base"/><child link="flap"/>
+        <axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="5" velocity="3"/></joint>
+      <gazebo reference="hinge"><sensor name="load" type="force_torque"/></gazebo></robot>)";
+    const RobotModel model = load_robot_text("robot.urdf", text, {});
+    const WrittenRobot written = write_mjcf(model, kModels);
+    const RobotModel again = read_again(written, "xml");
+    EXPECT_EQ(joined(differences(model, again)), "") << written.text;
+    ASSERT_EQ(again.joints.size(), 2u);
+    EXPECT_EQ(again.joints[1].max_velocity, 3);
+    EXPECT_FALSE(again.touches_itself);
+    EXPECT_FALSE(again.largest_friction);
+    ASSERT_EQ(again.sensors.size(), 2u);
+    for (const Sensor& sensor : again.sensors) EXPECT_FALSE(sensor.is_on_child) << sensor.name;
+}
+
 #ifdef EPODE_HAVE_SDF
 TEST(Write, AnSdfIsTheSameInMjcf) { expect_round_trip("geared.sdf", {}); }
 #endif

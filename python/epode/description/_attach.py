@@ -45,7 +45,9 @@ def rename_all(description: Description, changed: Callable[[str], str]) -> None:
 
 def _users(description: Description) -> list[Element]:
     """What refers to others: elements of sections, tendons as wholes."""
-    return [one for section in description._top.children if section.tag in SECTIONS - {"asset"} for one in section.children]
+    custom = description._top.child("custom")
+    return [*(one for section in description._top.children if section.tag in SECTIONS - {"asset"} for one in section.children),
+            *(element for one in (custom.children if custom is not None else []) for element in one.children)]
 
 
 def _references_of(user: Element) -> set[tuple[str, str]]:
@@ -66,7 +68,8 @@ def remove(description: Description, part: Element) -> list[str]:
         found = False
         for user in [*_users(description), *(one for one in description._top.walk() if isinstance(one, Geom))]:
             if _references_of(user) & gone and user._above is not None:
-                out.append(user.title)
+                if user.section != "custom":
+                    out.append(user.title)
                 if user["name"] is not None:
                     gone.add((user.space, user.words["name"]))
                 user._above.children.remove(user)
@@ -127,6 +130,7 @@ def attach(to_all: Description, other: Description, place: Link | Site, prefix: 
     for one in copy._top.walk():
         if one["name"] is not None and one.space and any(its["name"] == one["name"] for its in to_all._in_space(one.space)):
             raise ValueError(f"there is a {one.title} already: attach with another prefix")
+    _meet(to_all, copy)
     _move_world(copy, p, q)
     if target.tag == "body":
         _fix(copy, target)
@@ -135,6 +139,7 @@ def attach(to_all: Description, other: Description, place: Link | Site, prefix: 
             if joint.kind == "free" and joint.name in start.positions:
                 start.positions[joint.name] = _moved_pose(p, q, start.positions[joint.name])
         start.mocap = {name: _split(_moved_pose(p, q, (*pose[0], *pose[1]))) for name, pose in start.mocap.items()}
+    speeds = {joint.name: joint.max_velocity for joint in copy.joints if np.isfinite(joint.max_velocity)}
     out = []
     for child in list(copy.world.children):
         if isinstance(child, Geom) and child.kind in ("plane", "hfield"):
@@ -146,6 +151,8 @@ def attach(to_all: Description, other: Description, place: Link | Site, prefix: 
         if isinstance(child, Link):
             out.append(child)
     _take_sections(to_all, copy)
+    for name, value in speeds.items():
+        to_all.joints[name].max_velocity = value
     _drop_assets(to_all)
     for name, start in copy.starts.items():
         mine = to_all.starts.setdefault(name, type(start)())
@@ -172,6 +179,20 @@ def _moved_pose(p: FloatArray, q: FloatArray, pose: Any) -> tuple[float, ...]:
 
 def _split(pose: tuple[float, ...]) -> tuple[tuple[float, ...], tuple[float, ...]]:
     return pose[:3], pose[3:]
+
+
+def _meet(to_all: Description, copy: Description) -> None:
+    """What URDF means by contacts stands in texts of <custom>; there is one meaning for all: ours, unless there are no links yet."""
+    meanings = []
+    for one in (to_all, copy):
+        custom = one._top.child("custom")
+        meanings.append([its for its in (custom.children if custom is not None else []) if its.tag == "text" and (its["name"] or "").startswith("epode_")])
+    if not len(to_all.links):
+        for its in meanings[1]:
+            to_all._section("custom").add(its)
+    elif [its.words for its in meanings[0]] != [its.words for its in meanings[1]]:
+        sentence = "links that overlap, and frictions of pairs, mean in what was attached what they mean in what it was attached to"
+        to_all.lost.extend([] if sentence in to_all.lost else [sentence])
 
 
 def _free_asset_names(to_all: Description, copy: Description) -> None:

@@ -357,7 +357,7 @@ class Description:
 
     def _written(self, folder: str | None = None) -> tuple[str, list[Element | None]]:
         top = Element(self._top.tag, self._top.words)
-        top.children = [one for one in self._top.children if one.children or one.words or one.tag == "worldbody"]
+        top.children = [_without_empty(one) for one in self._top.children if one.children or one.words or one.tag == "worldbody"]
         if folder is not None:
             top.children = [self._relative(one, folder) if one.tag == "asset" else one for one in top.children]
         if self.starts:
@@ -423,3 +423,12 @@ class Description:
             file.write(self.text(folder))
         others = [one for one in model.text("mjcf", folder)[1] if one.startswith("MuJoCo itself")]
         return [*self.lost, *(one for one in others if one not in self.lost)]
+
+
+def _without_empty(section: Element) -> Element:
+    """<custom> without the tuples that have lost all their elements, which MuJoCo refuses."""
+    if section.tag != "custom":
+        return section
+    out = Element(section.tag)
+    out.children = [one for one in section.children if one.tag != "tuple" or one.children]
+    return out

@@ -16,6 +16,8 @@ from ._tree import Element, Word, hint
 from ._turns import matrix_of
 from ._values import Elements, Path, number, put_pose, put_words, span, vector
 
+SPEEDS = "epode_max_velocity"  # robots/files/mjcf_custom.h
+
 
 class Link(Placed):
     """A rigid part. Its joints, in their order, let it move against its parent; without one it is fixed to it. ``world`` is a link, too."""
@@ -224,6 +226,31 @@ class Joint(Part):
         self["actuatorfrclimited"] = None
 
     max_force: Value[float, float] = Value(_max_force, _put_max_force, doc="What actuators may exert on it in all; infinity: any force.")
+
+    def _speed(self, make: bool = False) -> Element | None:
+        """Its line in <custom>, where limits of velocity stand that MJCF has no word for."""
+        custom = self.top.child("custom")
+        known = custom and next((one for one in custom.children if one["name"] == SPEEDS), None)
+        found = known and next((one for one in known.children if one["objname"] == self["name"]), None)
+        if found or not make or self.description is None:
+            return found
+        known = known or self.description._section("custom").add(Element("tuple", {"name": SPEEDS}))
+        return known.add(Element("element", {"objtype": "joint", "objname": self.name}))
+
+    def _max_velocity(self) -> float:
+        its = self._speed()
+        return float(its.numbers("prm")[0]) if its is not None else np.inf
+
+    def _put_max_velocity(self, value: float) -> None:
+        if not value > 0:
+            raise ValueError(f"{self.title}: a limit of velocity is above 0: {value!r}")
+        its = self._speed(make=value != np.inf)
+        if its is not None and value != np.inf:
+            its["prm"] = value
+        elif its is not None and its._above is not None:
+            its._above.children.remove(its)
+
+    max_velocity: Value[float, float] = Value(_max_velocity, _put_max_velocity, doc="rad/s or m/s, as data for controllers; infinity: none.")
 
     @property
     def link(self) -> Link:

@@ -85,6 +85,8 @@ class Sizes:
             self.times(one, word, [d])
         self.times(one, "armature", [5 - 2 * d])
         if self.forces:
+            if isinstance(one, Joint) and np.isfinite(one.max_velocity):
+                one.max_velocity *= self.factor ** (d - 0.5)
             for word, power in (("stiffness", 4 - 2 * d), ("damping", 4.5 - 2 * d), ("frictionloss", 4 - d), ("actuatorfrcrange", 4 - d),
                                 ("springdamper", 0.5)):
                 self.times(one, word, [power, 0] if word == "springdamper" else [power])
