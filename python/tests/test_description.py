@@ -375,6 +375,37 @@ def test_urdf_is_edited_and_written(tmp_path):
     np.testing.assert_allclose(again.mass_matrix(q), description.model().mass_matrix(q), atol=1e-12)
 
 
+def test_what_a_urdf_means_survives_edits(tmp_path):
+    model = epode.load(FILES[0])
+    description = model.edit()
+    speeds = [joint.max_velocity for joint in model.joints]
+    assert np.all(np.isfinite(speeds)) and [joint.max_velocity for joint in description.joints] == speeds
+    description.joints["axis_1"].name = "waist"
+    description.joints["axis_2"].max_velocity = np.inf
+    description.joints["axis_3"].remove()
+    again = description.model()
+    assert [joint.max_velocity for joint in again.joints] == [speeds[0], np.inf, *speeds[3:]]
+    with pytest.raises(ValueError, match="waist"):
+        description.joints["waist"].max_velocity = 0
+    both = Description("both")
+    for side in ("a", "b"):
+        both.attach(description, prefix=side)
+    twice = both.model()
+    assert [joint.max_velocity for joint in twice.joints] == 2 * [speeds[0], np.inf, *speeds[3:]]
+    both.save(tmp_path / "both.xml")
+    assert epode.load(tmp_path / "both.xml") == twice
+    custom = both.text().split("<custom>")[1].split("</custom>")[0]
+    assert "apart" in custom and "mean" in custom and not any("what it was attached to" in one for one in both.lost)
+    other = epode.load(FILES[3]).edit()
+    other.attach(description, prefix="x_", position=(1, 0, 0))
+    assert any("what it was attached to" in one for one in other.lost)
+    for joint in list(both.joints):
+        joint.max_velocity = np.inf
+    assert "tuple" not in both.text()
+    both.save(tmp_path / "both.xml")
+    pytest.importorskip("mujoco").MjModel.from_xml_path(str(tmp_path / "both.xml"))
+
+
 def edited():
     description = Description("arm")
     upper = description.add_link("upper")
