@@ -391,6 +391,8 @@ def test_cameras_of_a_file_see_its_colours():
     np.testing.assert_allclose(again.geoms["ball"].color, (1, 0, 0, 1))
     with pytest.raises(KeyError, match="above"):
         robot.world.picture(camera="abov")
+    follows = epode.robot.from_text(LOOKED_AT.replace("fovy='30'", "mode='trackcom'"), strict=True)
+    assert [note.kind for note in follows.report if "mode" in note.text] == ["changed"]
 
 
 def test_a_window_s_picture_is_drawn_from_a_camera_of_the_file():

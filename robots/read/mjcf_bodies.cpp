@@ -477,7 +477,7 @@ void Mjcf::read_camera(const Attributes& a, const Scope& scope)
     if (!(camera.field > 0 && camera.field < kPi))
         return reading_.error(a.element(), "a camera whose field of view is not between 0 and 180 degrees");
     if (a.has("mode") && a.text("mode") != "fixed")
-        reading_.note_once(Note::kApproximated, a.element(),
+        reading_.note_once(Note::kChanged, a.element(),
                            "cameras that follow something (mode) are fixed to their bodies");
     model_.cameras.push_back(camera);
 }
