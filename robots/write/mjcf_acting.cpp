@@ -248,6 +248,9 @@ MjcfWriter::Sensed MjcfWriter::joint_object(const Sensor& sensor) const
 MjcfWriter::Sensed MjcfWriter::frame_object(const std::string& kind, const std::string& type,
                                             const std::string& name) const
 {
+    Frame whole;
+    if (kind.starts_with("subtree"))
+        return model_.frame_named(name, whole) ? Sensed{"body", "", links_[size_t(whole.link)]} : Sensed{};
     const bool says_type = kind.rfind("frame", 0) == 0, is_body = type == "body" || type == "xbody";
     const auto link = [&]() -> Sensed {
         for (size_t i = 0; i < model_.links.size(); ++i)

@@ -105,6 +105,18 @@ TEST(Write, MjcfKeepsWhatAUrdfMeansByItsContactsSpeedsAndForces)
     for (const Sensor& sensor : again.sensors) EXPECT_FALSE(sensor.is_on_child) << sensor.name;
 }
 
+TEST(Write, SensorsOfSubtreesAreOnBodies)
+{
+    const char* const text =
+        "<mujoco><worldbody><body name='a'><joint/><geom size='1'/></body></worldbody><sensor>"
+        "<subtreecom name='c' body='a'/><subtreelinvel name='v' body='a'/></sensor></mujoco>";
+    const RobotModel model = load_robot_text("robot.xml", text, {});
+    ASSERT_EQ(model.sensors.size(), 2u);
+    const WrittenRobot written = write_mjcf(model, kModels);
+    EXPECT_EQ(joined(differences(model, read_again(written, "xml"))), "") << written.text;
+    EXPECT_TRUE(written.lost.empty());
+}
+
 #ifdef EPODE_HAVE_SDF
 TEST(Write, AnSdfIsTheSameInMjcf) { expect_round_trip("geared.sdf", {}); }
 #endif
