@@ -406,6 +406,25 @@ def test_what_a_urdf_means_survives_edits(tmp_path):
     pytest.importorskip("mujoco").MjModel.from_xml_path(str(tmp_path / "both.xml"))
 
 
+URDF = """<robot name="r"><link name="base"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<link name="arm"><inertial><mass value="2"/><inertia ixx="A" iyy="A" izz="A" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<link name="foot"><inertial><mass value="B"/><inertia ixx=".1" iyy=".2" izz=".15" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="j" type="continuous"><parent link="base"/><child link="arm"/></joint>
+<joint name="f" type="fixed"><parent link="arm"/><child link="foot"/><origin xyz="1 0 0"/></joint></robot>"""
+
+
+@pytest.mark.parametrize("moment, foot", [("1", "0"), ("0", "0.5"), ("-3", "0.5"), ("0", "0")])
+def test_what_is_done_about_masses_is_done_after_edits_too(moment, foot, tmp_path):
+    model = epode.robot.from_text(URDF.replace("A", moment).replace("B", foot), "r.urdf", repair=True)
+    description = model.edit()
+    again = description.model()
+    description.save(tmp_path / "saved.xml")
+    for its in (again, epode.load(tmp_path / "saved.xml")):
+        for one, two in zip(model.links, its.links):
+            assert one.name == two.name and two.mass == pytest.approx(one.mass)
+            np.testing.assert_allclose(two.inertia, one.inertia, rtol=1e-9, atol=1e-12)
+
+
 def edited():
     description = Description("arm")
     upper = description.add_link("upper")

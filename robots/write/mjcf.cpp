@@ -121,8 +121,9 @@ void MjcfWriter::write_pose(Node node, const Pose& pose)
 
 void MjcfWriter::write_inertial(Node body, const Link& link)
 {
-    if (!link.has_inertial && link.mass <= 0) return;
     const Matrix& i = link.inertia;
+    const bool has_inertia = i[0][0] != 0 || i[1][1] != 0 || i[2][2] != 0;
+    if (!link.has_inertial && link.mass <= 0 && !has_inertia) return;
     Node inertial = body.append_child("inertial");
     set(inertial, "pos", text_of(link.centre)), set(inertial, "mass", link.mass);
     if (link.boxes.size() > 1)

@@ -29,7 +29,8 @@ if TYPE_CHECKING:
 
 # In this order, as readers of MJCF want what is named before it is used.
 ORDER = ["compiler", "option", "custom", "asset", "worldbody", "equality", "tendon", "actuator", "contact", "sensor", "keyframe"]
-KEPT = ("strict", "keep_fixed", "meshes_as_triangles", "meshes_as_parts", "roots")
+MASSES = ("repair", "inertia_from_shapes", "missing_mass")  # what is done about masses when links have been merged
+KEPT = ("strict", "keep_fixed", "meshes_as_triangles", "meshes_as_parts", "roots", *MASSES)
 LIMITED = {"limited": "range", "ctrllimited": "ctrlrange", "forcelimited": "forcerange", "actlimited": "actrange",
            "actuatorfrclimited": "actuatorfrcrange"}
 
@@ -63,7 +64,8 @@ class Description:
         from ..robot import _read
         path, text, options = model._source
         folder = os.path.dirname(os.path.abspath(path))
-        written_text, lost = _read(path, text, {**options, "keep_fixed": True}).text(False, folder)
+        as_written: Options = {**{key: value for key, value in options.items() if key not in MASSES}, "keep_fixed": True}  # type: ignore[typeddict-item]
+        written_text, lost = _read(path, text, as_written).text(False, folder)
         self = cls._restored(written_text, {key: options[key] for key in KEPT if key in options}, folder, lost)  # type: ignore[literal-required]
         self._simplify()
         return self
@@ -416,8 +418,8 @@ class Description:
         """Write it to a file: URDF if it ends in .urdf, MJCF if in .xml or .mjcf; it must compile. Returns a sentence for each thing
         that the format cannot say."""
         model, ending = self.model(), os.path.splitext(os.fspath(path))[1].lower()
-        if ending not in (".xml", ".mjcf"):
-            return model.save(path)
+        if ending not in (".xml", ".mjcf") or any(self._options.get(option) for option in MASSES):
+            return model.save(path)  # with the masses that were mended
         folder = os.path.dirname(os.path.abspath(path))
         with open(path, "w", encoding="utf-8") as file:
             file.write(self.text(folder))
