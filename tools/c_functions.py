@@ -14,7 +14,7 @@ INCLUDED_BY_OTHERS = r"(collision_trimesh|odemath_legacy|odecpp\w*)\.h$"
 
 # What parameters are, and the numbers of C++ that they become.
 HANDLES = {"dWorldID": "World", "dBodyID": "Body", "dJointID": "Joint", "dJointGroupID": "Group",
-           "dHeightfieldDataID": "Heights", "dTriMeshDataID": "Mesh", "dGeomID": "Geom", "dSpaceID": "Space"}
+           "dFluidID": "Fluid", "dHeightfieldDataID": "Heights", "dTriMeshDataID": "Mesh", "dGeomID": "Geom", "dSpaceID": "Space"}
 SCALARS = {"dReal": "double", "double": "double", "int": "int", "unsigned": "unsigned", "unsigned int": "unsigned",
            "unsigned long": "unsigned long", "size_t": "size_t", "dsizeint": "size_t", "dJointType": "int"}
 FIXED = {"dVector3": 3, "dVector4": 4, "dQuaternion": 4, "dMatrix3": 12, "dMatrix4": 16, "dReal[4]": 4, "dReal[6]": 6}

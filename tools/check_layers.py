@@ -23,8 +23,9 @@ MAY_INCLUDE = {
     "collide": {"base", "math", "simd", "tasks", "geometry", "bvh"},
     "query": {"base", "math", "simd", "tasks", "geometry", "bvh", "collide"},
     "contacts": {"base", "math", "simd", "tasks", "rows", "geometry", "bvh", "dynamics", "collide"},
+    "fluid": {"base", "math", "simd", "tasks", "rows", "geometry", "bvh", "dynamics", "collide"},
     "step": {"base", "math", "simd", "tasks", "rows", "geometry", "bvh", "dynamics", "joints", "solve", "collide",
-             "query", "contacts"},
+             "query", "contacts", "fluid"},
 }
 MAY_INCLUDE["characters"] = MAY_INCLUDE["query"] | {"query", "dynamics", "rows", "step"}
 MAY_INCLUDE["state"] = MAY_INCLUDE["step"] | {"step"}
@@ -46,6 +47,7 @@ ROOMS = {
         "": set(),
         "hulls": {""},
         "overlap": {"", "hulls"},
+        "immersion": set(),
     },
     "joints": {
         "": set(),

@@ -15,6 +15,7 @@
 #include <ode/diagnosis.h>
 #include <ode/drives.h>
 #include <ode/events.h>
+#include <ode/fluid.h>
 #include <ode/queries.h>
 #include <ode/report.h>
 #include <ode/shapes.h>

@@ -46,6 +46,11 @@ struct dCharacterReportExt : public dCharacterReport {
     dCharacterReportExt() : dCharacterReport() { struct_size = sizeof(dCharacterReport); }
 };
 
+/** Fluid settings with all defaults: dFluidSettingsInit. */
+struct dFluidSettingsExt : public dFluidSettings {
+    dFluidSettingsExt() { dFluidSettingsInit(this, sizeof(dFluidSettings)); }
+};
+
 /** A report that knows its size; all else is 0 at first. */
 struct dWorldStepReportExt : public dWorldStepReport {
     dWorldStepReportExt() : dWorldStepReport() { struct_size = sizeof(dWorldStepReport); }
@@ -64,6 +69,10 @@ struct dEnergyLedgerExt : public dEnergyLedger {
     ode/diagnosis.h, ode/steppers.h, ode/state.h and ode/world_file.h. */
 class dWorldExt : public dWorld {
   public:
+    /** dWorldGetNumFluids, dWorldGetFluid. */
+    int getNumFluids() const { return dWorldGetNumFluids(get_id()); }
+    dFluidID getFluid(int index) const { return dWorldGetFluid(get_id(), index); }
+
     /** All parameters in one call: dWorldUseDefaults. */
     int useDefaults(int preset) { return dWorldUseDefaults(get_id(), preset); }
 
@@ -192,6 +201,9 @@ class dWorldExt : public dWorld {
 /** A body with the additions of ode/steppers.h. */
 class dBodyExt : public dBody {
   public:
+    /** dBodyGetFluidForce. */
+    int getFluidForce(dVector3 force, dVector3 torque) const { return dBodyGetFluidForce(get_id(), force, torque); }
+
     /** Without a world there is no body yet. */
     dBodyExt() {}
     dBodyExt(dWorldID world) : dBody(world) {}
@@ -437,6 +449,56 @@ struct dMassExt : public dMass {
     /** dMassSetConvex, dMassSetConvexTotal. */
     void setConvex(dReal density, dGeomID convex) { dMassSetConvex(this, density, convex); }
     void setConvexTotal(dReal total_mass, dGeomID convex) { dMassSetConvexTotal(this, total_mass, convex); }
+};
+
+/** A fluid of a world: dFluidCreate. It is destroyed with this object, which must not outlive its world. */
+class dFluid {
+    dFluidID _id;
+
+    dFluid(const dFluid&);
+    void operator=(const dFluid&);
+
+  public:
+    explicit dFluid(dWorldID world) : _id(dFluidCreate(world)) {}
+    ~dFluid()
+    {
+        if (_id) dFluidDestroy(_id);
+    }
+    dFluidID id() const { return _id; }
+    operator dFluidID() const { return _id; }
+
+    /** dFluidGetWorld. */
+    dWorldID getWorld() const { return dFluidGetWorld(_id); }
+
+    /** dFluidSetSettings, dFluidGetSettings. */
+    int setSettings(const dFluidSettings& settings) { return dFluidSetSettings(_id, &settings); }
+    int getSettings(dFluidSettings& settings) const { return dFluidGetSettings(_id, &settings); }
+
+    /** dFluidSetPlane, dFluidGetPlane. */
+    void setPlane(dReal a, dReal b, dReal c, dReal d) { dFluidSetPlane(_id, a, b, c, d); }
+    void getPlane(dVector4 plane) const { dFluidGetPlane(_id, plane); }
+
+    /** dFluidSetSurface, dFluidSetCurrentFunction. */
+    void setSurface(dFluidSurface* surface, void* data) { dFluidSetSurface(_id, surface, data); }
+    void setCurrentFunction(dFluidCurrent* current, void* data) { dFluidSetCurrentFunction(_id, current, data); }
+
+    /** dFluidSetVolume, dFluidGetVolume. */
+    void setVolume(dGeomID volume) { dFluidSetVolume(_id, volume); }
+    dGeomID getVolume() const { return dFluidGetVolume(_id); }
+
+    /** dFluidSetTime, dFluidGetTime. */
+    void setTime(dReal time) { dFluidSetTime(_id, time); }
+    dReal getTime() const { return dFluidGetTime(_id); }
+
+    /** dFluidGetSubmerged, dFluidGetSubmergedBody. */
+    int getSubmerged(dGeomID geom, dReal* volume, dVector3 centre) const
+    {
+        return dFluidGetSubmerged(_id, geom, volume, centre);
+    }
+    int getSubmergedBody(dBodyID body, dReal* volume, dVector3 centre) const
+    {
+        return dFluidGetSubmergedBody(_id, body, volume, centre);
+    }
 };
 
 /** Holes in a height field's data, which it does not own. */

@@ -21,6 +21,7 @@ from ._structure import Description, Past, Structure
 from .body import Bodies, Body
 from .enums import Behaviour, CauseKind, Severity
 from .errors import RefusedError
+from .fluid import Fluid
 from .geom import Geom
 from .joint import SETTINGS, TYPES, Joint
 from .recording import Recording
@@ -158,6 +159,9 @@ class World(Object):
             for one in objects.values():
                 one._live = None
             objects.clear()
+        for fluid in self._fluids:
+            fluid._live = None
+        self._fluids.clear()
         for robot in self._robots:
             robot._dead()
         self._robots.clear()
@@ -274,6 +278,22 @@ class World(Object):
         if not (x or y or z):
             raise ValueError("a normal that is not 0 is expected")
         return self.geom(Plane((x, y, z), distance), **settings)
+
+    def fluid(self, *, plane: ArrayLike | None = None, **settings: typing.Any) -> Fluid:
+        """Water below z = 0, or below a plane (a, b, c, d). settings: density, drag, current and whatever else a Fluid has."""
+        fluid = Fluid(self)
+        self._fluids.append(fluid)
+        try:
+            if plane is not None:
+                fluid.plane = np.asarray(plane, dtype=float)
+            for name, value in settings.items():
+                if not hasattr(type(fluid), name):
+                    raise TypeError(f"a fluid has no {name}")
+                setattr(fluid, name, value)
+        except BaseException:
+            fluid.destroy()
+            raise
+        return fluid
 
     def joint(self, type: str, body1: Body | None, body2: Body | None = None, **settings: typing.Any) -> Joint:
         """A new joint of a type (ball, hinge, slider, universal, hinge2, fixed, amotor, lmotor, plane2d, pr, pu, piston,

@@ -57,8 +57,24 @@ dReal on_height(void* data, int x, int z)
     return height;
 }
 
+dReal on_surface(void* data, const dVector3 place, dReal time)
+{
+    dReal height = 0;
+    guarded([&] { height = nb::cast<double>(nb::borrow(static_cast<PyObject*>(data))(array_of(place, 3), time)); });
+    return height;
+}
+
+void on_current(void* data, const dVector3 place, dReal time, dVector3 velocity)
+{
+    guarded([&] {
+        const nb::object found = nb::borrow(static_cast<PyObject*>(data))(array_of(place, 3), time);
+        const auto v = numbers<3>(found, "current");
+        for (int i = 0; i < 3; ++i) velocity[i] = v.v[i];
+    });
+}
+
 // Places of kept objects.
-enum { kMoved, kContactFilter, kHeights, kFeedback, kMeshVertices, kMeshIndices };
+enum { kMoved, kContactFilter, kHeights, kFeedback, kMeshVertices, kMeshIndices, kSurface, kCurrent };
 
 // The library knows its dead.
 bool is_dead_joint(const void* owner, int place)
@@ -117,6 +133,26 @@ void set_contact_filter(const WorldHandle* world, nb::object filter)
     dWorldSetContactFilter(get(world), filter.is_none() ? nullptr : on_pair, filter.ptr());
     call.done();
     keep(get(world), kContactFilter, filter, get(world));
+}
+
+void set_surface(const FluidHandle* fluid, nb::object surface)
+{
+    Call call;
+    const dWorldID world = dFluidGetWorld(get(fluid));
+    call.uses(world);
+    dFluidSetSurface(get(fluid), surface.is_none() ? nullptr : on_surface, surface.ptr());
+    call.done();
+    keep(get(fluid), kSurface, surface, world);
+}
+
+void set_current(const FluidHandle* fluid, nb::object current)
+{
+    Call call;
+    const dWorldID world = dFluidGetWorld(get(fluid));
+    call.uses(world);
+    dFluidSetCurrentFunction(get(fluid), current.is_none() ? nullptr : on_current, current.ptr());
+    call.done();
+    keep(get(fluid), kCurrent, current, world);
 }
 
 void build_callback(const HeightsHandle* data, nb::object callback, double width, double depth,
@@ -212,6 +248,8 @@ void bind_callbacks(nb::module_& m)
           TEXT(dBodySetMovedCallback));
     m.def("dWorldSetContactFilter", set_contact_filter, "world"_a.none(), "filter"_a.none(),
           TEXT(dWorldSetContactFilter));
+    m.def("dFluidSetSurface", set_surface, "fluid"_a.none(), "surface"_a.none(), TEXT(dFluidSetSurface));
+    m.def("dFluidSetCurrentFunction", set_current, "fluid"_a.none(), "current"_a.none(), TEXT(dFluidSetCurrentFunction));
     m.def("dGeomHeightfieldDataBuildCallback", build_callback, "d"_a.none(), "callback"_a, "width"_a,
           "depth"_a, "widthSamples"_a, "depthSamples"_a, "scale"_a, "offset"_a, "thickness"_a, "bWrap"_a,
           TEXT(dGeomHeightfieldDataBuildCallback));

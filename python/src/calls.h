@@ -33,6 +33,7 @@ using WorldHandle = Handle<dWorldID>;
 using BodyHandle = Handle<dBodyID>;
 using JointHandle = Handle<dJointID>;
 using GroupHandle = Handle<dJointGroupID>;
+using FluidHandle = Handle<dFluidID>;
 using HeightsHandle = Handle<dHeightfieldDataID>;
 using MeshHandle = Handle<dTriMeshDataID>;
 using GeomHandle = Handle<dGeomID>;

@@ -34,6 +34,7 @@ NB_MODULE(_c, m)
     bind_handle<BodyHandle>(m, "dBodyID");
     bind_handle<JointHandle>(m, "dJointID");
     bind_handle<GroupHandle>(m, "dJointGroupID");
+    bind_handle<FluidHandle>(m, "dFluidID");
     bind_handle<HeightsHandle>(m, "dHeightfieldDataID");
     bind_handle<MeshHandle>(m, "dTriMeshDataID");
     bind_handle<GeomHandle>(m, "dGeomID");

@@ -66,6 +66,8 @@ WRITTEN = {
     "dSpaceCollide2": f"(o1: dGeomID | None, o2: dGeomID | None, callback: {_NEAR}) -> None",
     "dBodySetMovedCallback": "(body: dBodyID | None, callback: Callable[[dBodyID], Any] | None) -> None",
     "dWorldSetContactFilter": "(world: dWorldID | None, filter: Callable[[dGeomID, dGeomID], bool] | None) -> None",
+    "dFluidSetSurface": "(fluid: dFluidID | None, surface: Callable[[FloatArray, float], float] | None) -> None",
+    "dFluidSetCurrentFunction": "(fluid: dFluidID | None, current: Callable[[FloatArray, float], ArrayLike] | None) -> None",
     "dQueryFilterInit": "(filter: dQueryFilter) -> None",
     "dJointSetHinge2Axes": "(joint: dJointID | None, axis1: ArrayLike | None, axis2: ArrayLike | None) -> None",
 }
@@ -301,7 +303,7 @@ STEPS = r"dWorld(Step|QuickStep|StepFast1|StepHybrid)"
 
 # Code after a call, of its first argument: objects are gone, and what was kept for them (callbacks, arrays) is let go.
 AFTER = {
-    r"d(Body|Joint|GeomTriMeshData|GeomHeightfieldData)Destroy": "forget({});",
+    r"d(Body|Joint|GeomTriMeshData|GeomHeightfieldData|Fluid)Destroy": "forget({});",
     r"dJointGroup(Destroy|Empty)": "forget_joints();",
     r"dWorldDestroy": "forget_world({});",
 }

@@ -17,6 +17,8 @@ struct CoreSize {
     Real farthest, radius;
 };
 
+class RevolvedSolid;  // geometry/immersion/revolved_solid.h
+
 // Answered by the view alone.
 Real core_reach_by_view(const Geom& geom, Vec3 direction);
 CoreSize core_size_by_view(const Geom& geom);
@@ -32,6 +34,8 @@ struct SolidType {
     // It is curved: what touches is no point of the body, as corners are, but wherever its surface comes
     // nearest; and triangles of meshes touch it with their fronts only.
     bool round = true;
+    // What fluids need of it (src/fluid), in the geom's frame; null: it does not float, but for boxes and polyhedra.
+    RevolvedSolid (*round_solid)(const Geom& geom) = nullptr;
 };
 
 inline bool is_solid(const Geom& geom) { return geom.type->solid != nullptr; }

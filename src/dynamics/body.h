@@ -51,6 +51,14 @@ struct DampingRule {
     Real angular_threshold2 = Real(0.01) * Real(0.01);
 };
 
+// What fluids (src/fluid) have done to a body in the last step in which it was awake.
+struct BodyInFluid {
+    bool wet = false;
+    bool floats = false;    // nearly balanced: it may fall asleep with nothing but the fluid under it
+    bool restless = false;  // in one that moves by functions of the program: it may not
+    Vec3 force, torque;
+};
+
 // What a body contributes to the choice of its island's solver (step/hybrid).
 struct HybridState {
     std::uint8_t requested = 0;  // stepper (dStepper); 0: none
@@ -121,6 +129,7 @@ struct Body : Numbered {
     std::uint64_t mass_hash = 0;  // tells `mass` from others
     std::uint64_t put_down = 0;   // when the program has disabled it: a number as of disturbances
     ForcedLink forced;
+    BodyInFluid fluid;
 
     Pose pose() const { return load_pose(pos, R); }
     Vec3 position() const { return load(pos); }

@@ -9,6 +9,7 @@
 #include <atomic>
 
 #include "base/call_guard.h"
+#include "dynamics/fluid.h"
 
 namespace epode {
 namespace {
@@ -53,6 +54,7 @@ World::~World()
             destroy_joint(joint);
         }
     }
+    while (!fluids.empty()) destroy_fluid(*fluids.back());
     if (step_state) free_step_state(step_state);
     StepMemory::let_go(memory);
     mark_busy(*this, Busy::kNo);

@@ -6,6 +6,7 @@
 //   1 -> 2   checksum, and what format 4 of states has changed
 //   2 -> 3   the budget of hybrid steps (state/object_structure.cpp)
 //   3 -> 4   characters (collide/character.cpp)
+//   4 -> 5   fluids (state/world_structure.cpp)
 #pragma once
 
 #include <cstddef>
@@ -18,7 +19,7 @@ namespace epode {
 
 struct WorldFileHeader {
     static constexpr std::uint32_t kMagic = 0x77736e65;  // "ensw"
-    static constexpr std::uint16_t kVersion = 4;
+    static constexpr std::uint16_t kVersion = 5;
 
     std::uint32_t magic = kMagic;
     std::uint16_t version = kVersion;

@@ -10,6 +10,7 @@
 #include "collide/character.h"
 #include "dynamics/active.h"
 #include "dynamics/body_state.h"
+#include "dynamics/fluid.h"
 #include "dynamics/joint_state.h"
 #include "step/common/link.h"
 
@@ -19,6 +20,8 @@ namespace {
 constexpr int kAhead = 4;
 constexpr std::uint32_t kSeeded = 1;      // of the flags: the seed of dRand follows
 constexpr std::uint32_t kCharacters = 2;  // geoms are characters
+constexpr std::uint32_t kFluids = 4;      // the world has fluids
+enum FluidBit : std::uint8_t { kWet = 1, kFloats = 2, kRestless = 4 };
 
 enum GeomBit : std::uint8_t {
     kEnabled = 1,
@@ -131,7 +134,8 @@ bool WorldState::save(StateStream& stream)
     const bool seeded = world_.acts_as_ode();
     const Counts counts{structure_.hash(), std::uint32_t(structure_.bodies()),
                         std::uint32_t(structure_.joints()), std::uint32_t(structure_.geoms()),
-                        (seeded ? kSeeded : 0) | (has_characters() ? kCharacters : 0)};
+                        (seeded ? kSeeded : 0) | (has_characters() ? kCharacters : 0) |
+                            (world_.fluids.empty() ? 0 : kFluids)};
     const auto put = [&](const void* from, std::size_t size) {
         if (std::byte* to = stream.block(size); to && size > 0) std::memcpy(to, from, size);
     };
@@ -139,6 +143,7 @@ bool WorldState::save(StateStream& stream)
     put(structure_.marks().data(), structure_.marks().size());
     (void)stream.long_word(world_.step_count);
     if (seeded) (void)stream.word(ProcessRandom::state());
+    visit_fluids(stream, counts.flags & kFluids);
     save_objects(stream);
     kept_->contacts.save(bodies_, stream);
     return kept_->world_contacts.save(world_, geoms_, stream);
@@ -185,10 +190,36 @@ void WorldState::save_bits(StateStream& stream, std::size_t place)
 
 // ---- loading ----
 
-void WorldState::load(StateStream& stream, bool seeded)
+// Their times, and what a step leaves for the next one to decide which bodies may sleep.
+void WorldState::visit_fluids(StateStream& stream, bool has)
 {
+    constexpr const char* kAnother = "the world has more or fewer fluids than the state";
+    if (!stream.demand(has == !world_.fluids.empty(), kAnother) || !has) return;
+    const auto count = std::uint32_t(world_.fluids.size());
+    if (!stream.demand(stream.word(count) == count, kAnother)) return;
+    for (Fluid* fluid : world_.fluids) {
+        Real time = fluid->time;
+        stream.reals(&time, 1);
+        if (stream.stores()) fluid->time = time;
+    }
+    std::byte* const bits = stream.block(std::size_t(bodies_.count()));
+    for (int i = 0; bits && i < bodies_.count(); ++i) {
+        BodyInFluid& in = bodies_[i].fluid;
+        if (stream.saves())
+            bits[i] =
+                std::byte((in.wet ? kWet : 0) | (in.floats ? kFloats : 0) | (in.restless ? kRestless : 0));
+        const auto own = std::uint8_t(bits[i]);
+        if (!stream.demand(own < 8, "a body of the state is in a fluid in an unknown way")) return;
+        if (stream.stores()) in = {bool(own & kWet), bool(own & kFloats), bool(own & kRestless), {}, {}};
+    }
+}
+
+void WorldState::load(StateStream& stream, std::uint32_t flags)
+{
+    const bool seeded = flags & kSeeded;
     const std::uint64_t steps = stream.long_word(0);
     const std::uint32_t seed = seeded ? stream.word(0) : 0;
+    visit_fluids(stream, flags & kFluids);
     const std::byte* const body_bits = stream.block(sizeof(std::uint16_t) * std::size_t(structure_.bodies()));
     const std::byte* const joint_bits = stream.block(std::size_t(structure_.joints()));
     const std::byte* const geom_bits = stream.block(std::size_t(structure_.geoms()));
@@ -283,7 +314,7 @@ const char* WorldState::check(const std::byte* from, std::size_t size, Seal with
             return text_;
         }
     if (length < begin_of_parts()) return "the state ends too early";
-    if (counts.flags & ~(kSeeded | kCharacters)) return "the state has parts that this library does not know";
+    if (counts.flags & ~(kSeeded | kCharacters | kFluids)) return "the state has parts that this library does not know";
     if (counts.hash == structure_.hash()) return nullptr;
     return structure_.difference(reinterpret_cast<const std::uint8_t*>(from + sizeof header + sizeof counts),
                                  text_, sizeof text_);
@@ -295,11 +326,10 @@ const char* WorldState::set(const std::byte* from, std::size_t size, Seal with)
     StateHeader header;
     Counts counts;
     std::memcpy(&header, from, sizeof header), std::memcpy(&counts, from + sizeof header, sizeof counts);
-    const bool seeded = counts.flags & kSeeded;
     const std::size_t begin = begin_of_parts(), length = std::size_t(header.size) - begin;
     StateStream stream(StateStream::Mode::kCheck, from + begin, length);
     stream.set_format(header.version);
-    load(stream, seeded);
+    load(stream, counts.flags);
     stream.set_mode(StateStream::Mode::kRead);  // into memory of its own
     if (!stream.failed() && !ContactCache::load(bodies_, stream, cached_)) return kOutOfMemory;
     if (!stream.failed() && !kept_->world_contacts.load(world_, geoms_, stream, loaded_)) return kOutOfMemory;
@@ -310,7 +340,7 @@ const char* WorldState::set(const std::byte* from, std::size_t size, Seal with)
     }
     StateStream values(StateStream::Mode::kRead, from + begin, length, true);
     values.set_format(header.version);
-    load(values, seeded);
+    load(values, counts.flags);
     kept_->contacts.accept(cached_);
     kept_->world_contacts.accept(world_, loaded_, geoms_, geom_bits_.span());
     kept_->events.restart(world_, kept_->world_contacts.live_space());

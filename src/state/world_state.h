@@ -6,6 +6,7 @@
 //   header, structure                 state/state_header, state/structure
 //   count of steps                    seeds random orders
 //   seed of dRand                     in a world with the behaviour of ODE 0.16, whose dWorldQuickStep draws
+//   fluids                            in a world that has any: their times, which bodies are in them
 //   bodies, joints                    dynamics/body_state, dynamics/joint_state
 //   geoms of the contact space        enabled; poses of those without a body; characters (collide/character.h)
 //   impulses of contact joints        step/common/contact_cache_state
@@ -63,7 +64,8 @@ class WorldState {
     bool save(StateStream& stream);
     void save_objects(StateStream& stream);
     void save_bits(StateStream& stream, std::size_t place);
-    void load(StateStream& stream, bool seeded);  // all but the contacts
+    void visit_fluids(StateStream& stream, bool has);
+    void load(StateStream& stream, std::uint32_t flags);  // all but the contacts
     void load_bodies(StateStream& stream, const std::byte* bits);
     void load_joints(StateStream& stream, const std::byte* bits);
     void visit_geom(Geom& geom, std::uint8_t bits, StateStream& stream);

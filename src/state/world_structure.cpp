@@ -10,7 +10,9 @@
 
 #include "base/check.h"
 #include "base/objects/structure_edition.h"
+#include "dynamics/fluid.h"
 #include "dynamics/joint_drives.h"
+#include "fluid/floating_geom.h"
 #include "joints/drive_rows.h"
 #include "joints/registry.h"
 #include "state/object_structure.h"
@@ -20,7 +22,8 @@ namespace epode {
 namespace {
 
 // What records of objects have at least, in bytes.
-constexpr std::size_t kBodyBytes = 20 * sizeof(Real), kJointBytes = 6, kNameBytes = 4;
+constexpr std::size_t kBodyBytes = 20 * sizeof(Real), kJointBytes = 6, kNameBytes = 4,
+                      kFluidBytes = 12 * sizeof(Real);
 
 bool append(JointNode& node, Body& body, JointNode* last)
 {
@@ -75,6 +78,7 @@ void WorldStructure::visit()
     visit_geoms();
     visit_geoms_of_bodies();
     visit_contacts();
+    if (!stream_.is_older_than(5)) visit_fluids();
 }
 
 void WorldStructure::discard()
@@ -83,6 +87,34 @@ void WorldStructure::discard()
     Pool<World>::destroy(world_);
     stream_.destroy_shared();
     world_ = nullptr;
+}
+
+// Functions are of the process: a file has none.
+void WorldStructure::visit_fluids()
+{
+    const int count = stream_.count(world_->fluids.size(), kFluidBytes, "fluids");
+    for (int i = 0; i < count && !stream_.failed(); ++i) {
+        Fluid* const fluid = stream_.saves() ? world_->fluids[i] : create_fluid(*world_);
+        if (!stream_.demand(fluid, kOutOfMemory)) return;
+        dFluidSettings& s = fluid->settings;
+        for (Real* number : {&s.density, &s.drag, &s.linear_drag, &s.angular_drag})
+            stream_.real(*number, StructureStream::kFinite, 0);
+        stream_.reals(s.current, 3);
+        stream_.vector(fluid->normal), stream_.real(fluid->offset), stream_.real(fluid->time);
+        stream_.pointer(fluid->surface), stream_.pointer(fluid->surface_data);
+        stream_.pointer(fluid->current), stream_.pointer(fluid->current_data);
+        Geom* volume = stream_.saves() ? from_handle<Geom>(fluid->volume) : nullptr;
+        if (stream_.saves() && fluid->volume && !volume)
+            return stream_.fail("the volume of fluid %d has been destroyed", i);
+        if (volume && stream_.saves() && stream_.find(*volume) < 0)
+            return stream_.fail("the volume of fluid %d is a geom that is not saved with the world", i);
+        stream_.geom(volume);
+        if (stream_.saves() || stream_.failed()) continue;
+        fluid->volume = volume ? to_handle(volume) : nullptr;
+        const bool sound =
+            within(length2(fluid->normal) - 1, Real(1e-3)) && (!volume || bounds_fluids(*volume));
+        if (!stream_.demand(sound, "a fluid in it has a plane or a volume that it cannot have")) return;
+    }
 }
 
 void WorldStructure::visit_bodies()

@@ -13,6 +13,7 @@
 //   geoms       class, space, filter bits, material, what the class adds (GeomType::structure)
 //   on bodies   geoms of each body, with offsets
 //   contacts    the contact space
+//   fluids      settings, planes, volumes
 // The geoms are those of one outermost space, of the bodies wherever they are, and what transforms hold.
 // A joint or geom type is not named here: it describes itself in its own file.
 #pragma once
@@ -73,6 +74,7 @@ class WorldStructure {
     void visit_geoms_of_bodies();
     void visit_geom_of_body(Body& body, Geom* geom);
     void visit_contacts();
+    void visit_fluids();
     void discard_geoms();
 
     World* world_ = nullptr;

@@ -15,6 +15,7 @@
 #include "joints/breaking.h"
 #include "step/active_islands.h"
 #include "step/common/link.h"
+#include "step/fluids.h"
 #include "step/island/report.h"
 #include "step/schedule.h"
 #include "step/step_islands.h"
@@ -59,6 +60,7 @@ class WorldStep {
         islands_.deactivate_sleeping();
         finish_.rest(state_.underway.unfinished);
         clear_sleeping_forces(world_);
+        advance_fluids(world_, context_.h);
         if (state_.events.list().wants_any())
             state_.events.end_step(world_, state_.world_contacts.live_space(), state_.cut_short);
         if (world_.report_wanted) world_.report = sum_of(state_.reports.span());
@@ -108,7 +110,8 @@ class WorldStep {
         return schedule_.make(context_, islands_.all(), arena) &&
                memory_.provide(workers_.of_islands.workers()) &&
                finish_.begin(context_.undo.bodies(), !any_continuous(), arena) &&
-               context_.contacts.begin(schedule_.joints(), int(schedule_.groups().size()));
+               context_.contacts.begin(schedule_.joints(), int(schedule_.groups().size())) &&
+               apply_fluids(world_, context_.h, workers_.of_islands, context_.undo, arena);
     }
 
     bool run()

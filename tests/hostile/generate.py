@@ -29,7 +29,7 @@ KIND_OF_TYPE = {
     "const dJointID*": "JointHandles", "dBodyID*": "QueryHits", "size_t": "Size", "const void*": "QueryHits",
     "dBodyID": "Body", "dJointID": "Joint", "dJointGroupID": "Group",
     "dGeomID": "Geom", "dSpaceID": "Space", "dHeightfieldDataID": "HeightfieldData",
-    "dTriMeshDataID": "TriMeshData",
+    "dTriMeshDataID": "TriMeshData", "dFluidID": "Fluid",
     "dThreadingImplementationID": "Threading", "dThreadingThreadPoolID": "ThreadPool",
     "dCooperativeID": "Cooperative", "dResourceRequirementsID": "Requirements",
     "dResourceContainerID": "Container", "const dThreadingFunctionsInfo*": "ThreadingFunctions",
@@ -53,6 +53,7 @@ KIND_OF_TYPE = {
     "dMessageFunction*": "MessageFunction", "dAllocFunction*": "AllocFunction",
     "dReallocFunction*": "ReallocFunction", "dFreeFunction*": "FreeFunction",
     "dNearCallback*": "NearCallback", "dHeightfieldGetHeight*": "HeightCallback",
+    "dFluidSurface*": "FluidSurface", "dFluidCurrent*": "FluidCurrent", "const dFluidSettings*": "FluidSettings", "dFluidSettings*": "FluidSettingsBuffer",
     "dTriCallback*": "TriCallback", "dTriArrayCallback*": "TriArrayCallback", "dTriRayCallback*": "TriRayCallback",
     "dTriTriMergeCallback*": "TriMergeCallback", "const dintptr*": "ExtraData", "dsizeint*": "SizePointer",
     "unsigned char**": "BytesPointer", "unsigned char*": "Data", "dVector3*": "Vector3", "const dMatrix4": "Matrix4",
@@ -66,7 +67,7 @@ MATRIX = (r"d(SetZero|SetValue|Dot|Multiply\d|FactorCholesky|SolveCholesky|Inver
 KIND_OF_PARAMETER = [
     (r"dPrintMatrix:fmt", "Format"),
     (r"dThreadingAllocateThreadPool:thread_count", "ThreadCount"),
-    (r"d(Material|QueryFilter|Drive|EventSettings|CharacterSettings)Init:(material|filter|drive|settings)", "QueryHits"),
+    (r"d(Material|QueryFilter|Drive|EventSettings|CharacterSettings|FluidSettings)Init:(material|filter|drive|settings)", "QueryHits"),
     (r"d(Diagnosis|Defaults)Text:text", "QueryHits"),
     (r"\w+:struct_size", "StructSize"),
     (r"dWorldsStep:(count|steps)", "Length"),
@@ -154,10 +155,10 @@ NOT_READ = [r"dInfiniteAABB:geom", r"dLDLTRemove:A",
 # Numbers that are handed on as they are: NaN included.
 ANY_NUMBER = [r"dSetValue:value"]
 
-READER = re.compile(r"d(World|Body|Joint|Geom|Space|HashSpace)\w*(Get|Is[A-Z]|Copy)|dRandGetSeed|dGet\w+Handler$")
+READER = re.compile(r"d(World|Body|Joint|Geom|Space|HashSpace|Fluid)\w*(Get|Is[A-Z]|Copy)|dRandGetSeed|dGet\w+Handler$")
 NO_READER = re.compile(r"d(Geom|Body)(GetRelPoint\w+|GetPosRelPoint|GetPointVel)|dGeomIsSpaceX")
 HANDLES = {"World", "Body", "Joint", "Group", "Geom", "Space", "HeightfieldData", "Threading", "ThreadPool",
-           "Cooperative", "Requirements", "Container", "TriMeshData"}
+           "Cooperative", "Requirements", "Container", "TriMeshData", "Fluid"}
 ADDED = {"Vector3", "Vector4", "Quaternion", "Matrix3", "Vector6", "Mass", "RealPointer", "IntPointer"}
 
 

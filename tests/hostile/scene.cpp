@@ -13,6 +13,10 @@ Hooks g_hooks;
 
 void near_nothing(void*, dGeomID, dGeomID) { g_hooks.near.run(); }
 void moved_nothing(dBodyID) { g_hooks.moved.run(); }
+dReal flat_sea(void*, const dVector3, dReal) { return 0; }
+
+void no_current(void*, const dVector3, dReal, dVector3) {}
+
 dReal flat_height(void*, int, int)
 {
     g_hooks.height.run();
@@ -267,6 +271,9 @@ void Scene::build_heights()
     add(Kind::kGeom, dCreateHeightfield(space, array, 1));
     high_ground = dCreateHeightfield(space, made, 0);
     add(Kind::kGeom, high_ground);
+    const dFluidID lake = dFluidCreate(world), current = dFluidCreate(world);
+    dFluidSetCurrentFunction(current, no_current, nullptr);
+    add(Kind::kFluid, lake), add(Kind::kFluid, current);
 }
 
 void Scene::build_meshes()
@@ -357,11 +364,12 @@ void Scene::kill_one_of_each()
     const dSpaceID s = dHashSpaceCreate(nullptr);
     const dHeightfieldDataID h = dGeomHeightfieldDataCreate();
     const dTriMeshDataID m = dGeomTriMeshDataCreate();
+    const dFluidID f = dFluidCreate(world);
     const dThreadingImplementationID t = dThreadingAllocateSelfThreadedImplementation();
     const dCooperativeID c = dCooperativeCreate(nullptr, nullptr);
     const dResourceRequirementsID r = dResourceRequirementsCreate(c);
     const dResourceContainerID k = dResourceContainerAcquire(r);
-    dead = {w, b, j, g, geom, s, h, t, g, c, r, k, m};
+    dead = {w, b, j, g, geom, s, h, f, t, g, c, r, k, m};
     dResourceContainerDestroy(k);
     dResourceRequirementsDestroy(r);
     dCooperativeDestroy(c);
@@ -374,6 +382,7 @@ void Scene::kill_one_of_each()
     dSpaceDestroy(s);
     dGeomHeightfieldDataDestroy(h);
     dGeomTriMeshDataDestroy(m);
+    dFluidDestroy(f);
 }
 
 void Scene::build()

@@ -70,6 +70,7 @@ constexpr Integer kSkips[] = {{sizeof(dContactGeom), "sizeof(dContactGeom)"},
 constexpr Integer kStructSizes[] = {{sizeof(dQueryFilter), "sizeof(dQueryFilter)"},
                                     {sizeof(dMaterial), "sizeof(dMaterial)"},
                                     {sizeof(dDrive), "sizeof(dDrive)"},
+                                    {sizeof(dFluidSettings), "sizeof(dFluidSettings)"},
                                     {sizeof(dEventSettings), "sizeof(dEventSettings)"},
                                     {sizeof(dCharacterSettings), "sizeof(dCharacterSettings)"},
                                     {sizeof(dQueryFilter) - 1, "sizeof(dQueryFilter)-1"},
@@ -300,6 +301,28 @@ inline const std::vector<Item<dEventSettings>>& event_settings()
         {with([](auto& s) { s.min_impulse = kNaN; }), Trait::kNaN, "impulse NaN"},
         {with([](auto& s) { s.min_approach_speed = -1; }), Trait::kBad, "speed -1"},
         {with([](auto& s) { s.min_approach_speed = kNaN; }), Trait::kNaN, "speed NaN"}};
+    return list;
+}
+
+inline const std::vector<Item<dFluidSettings>>& fluid_settings()
+{
+    static const auto with = [](auto change) {
+        dFluidSettings s{};
+        dFluidSettingsInit(&s, sizeof s);
+        change(s);
+        return s;
+    };
+    static const std::vector<Item<dFluidSettings>> list = {
+        {with([](auto&) {}), Trait::kFine, "water"},
+        {with([](auto& s) { s.density = s.drag = s.linear_drag = 0; }), Trait::kFine, "nothing"},
+        {with([](auto& s) { s.density = kLarge; }), Trait::kStrange, "large density"},
+        {with([](auto& s) { s.current[1] = kLarge, s.drag = kLarge; }), Trait::kStrange,
+         "large current and drag"},
+        {with([](auto& s) { s.struct_size = 0; }), Trait::kBad, "struct_size 0"},
+        {with([](auto& s) { s.density = -1; }), Trait::kBad, "density -1"},
+        {with([](auto& s) { s.angular_drag = -1; }), Trait::kBad, "angular drag -1"},
+        {with([](auto& s) { s.drag = kNaN; }), Trait::kNaN, "drag NaN"},
+        {with([](auto& s) { s.current[2] = kNaN; }), Trait::kNaN, "current NaN"}};
     return list;
 }
 

@@ -53,6 +53,10 @@ void (*function_of(Kind kind))()
             return reinterpret_cast<void (*)()>(any_pair);
         case Kind::kHeightCallback:
             return reinterpret_cast<void (*)()>(flat_height);
+        case Kind::kFluidSurface:
+            return reinterpret_cast<void (*)()>(flat_sea);
+        case Kind::kFluidCurrent:
+            return reinterpret_cast<void (*)()>(no_current);
         case Kind::kCollider:
             return reinterpret_cast<void (*)()>(no_contacts);
         case Kind::kReadyCallback:
@@ -213,6 +217,10 @@ int Values::count(Kind kind)
             return int(reports<dCharacterSettings>().size()) + 1;
         case Kind::kCharacterReport:
             return int(reports<dCharacterReport>().size()) + 1;
+        case Kind::kFluidSettings:
+            return int(fluid_settings().size()) + 1;
+        case Kind::kFluidSettingsBuffer:
+            return int(reports<dFluidSettings>().size()) + 1;
         case Kind::kContact:
             return int(hostile::contacts().size()) + 1;
         case Kind::kGeomClass:
@@ -422,6 +430,10 @@ Value Values::memory(Kind kind, int index, int position)
             return item(reports<dCharacterSettings>());
         case Kind::kCharacterReport:
             return item(reports<dCharacterReport>());
+        case Kind::kFluidSettings:
+            return item(fluid_settings());
+        case Kind::kFluidSettingsBuffer:
+            return item(reports<dFluidSettings>());
         case Kind::kContact:
             return item(hostile::contacts());
         case Kind::kGeomClass:

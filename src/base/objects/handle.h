@@ -34,6 +34,7 @@ enum class Tag : std::uint32_t {
     kResourceRequirements = 0x0de00017,
     kResourceContainer = 0x0de00018,
     kPostedJob = 0x0de00019,
+    kFluid = 0x0de0001c,
 };
 
 // What every object behind a handle starts with.

@@ -6,6 +6,7 @@
 #include "collide/describe.h"
 #include "collide/solid_type.h"
 #include "collide/types/registry.h"
+#include "geometry/immersion/revolved_solid.h"
 
 #include <algorithm>
 
@@ -40,8 +41,20 @@ void describe_capsule(const Geom& geom, DifWriter& out)
     out.real("length", 2 * shape(geom).half_length);
 }
 
-constexpr SolidType kSolid = {
-    .view = view_of_shape<Capsule>, .core_reach = core_reach, .core_size = core_size};
+RevolvedSolid round_solid(const Geom& geom)
+{
+    const Capsule& c = shape(geom);
+    RevolvedSolid out;
+    out.add_ball(-c.half_length - c.radius, -c.half_length, -c.half_length, c.radius);
+    out.add_cylinder(-c.half_length, c.half_length, c.radius);
+    out.add_ball(c.half_length, c.half_length + c.radius, c.half_length, c.radius);
+    return out;
+}
+
+constexpr SolidType kSolid = {.view = view_of_shape<Capsule>,
+                              .core_reach = core_reach,
+                              .core_size = core_size,
+                              .round_solid = round_solid};
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include "collide/describe.h"
 #include "collide/solid_type.h"
 #include "collide/types/registry.h"
+#include "geometry/immersion/revolved_solid.h"
 #include "geometry/inertia.h"
 #include "ode/mass.h"
 
@@ -117,7 +118,15 @@ void describe_cone(const Geom& geom, DifWriter& out)
     out.real("length", shape(geom).length);
 }
 
-constexpr SolidType kSolid = {.view = view};
+RevolvedSolid round_solid(const Geom& geom)
+{
+    const Cone& c = shape(geom);
+    RevolvedSolid out;
+    out.add_frustum(c.bottom(), c.top(), c.radius, 0);
+    return out;
+}
+
+constexpr SolidType kSolid = {.view = view, .round_solid = round_solid};
 
 }  // namespace
 

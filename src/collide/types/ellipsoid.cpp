@@ -11,6 +11,7 @@
 #include "collide/describe.h"
 #include "collide/solid_type.h"
 #include "collide/types/registry.h"
+#include "geometry/immersion/revolved_solid.h"
 #include "geometry/inertia.h"
 #include "geometry/root.h"
 #include "ode/mass.h"
@@ -100,7 +101,10 @@ void describe_ellipsoid(const Geom& geom, DifWriter& out)
     out.list("radii", {radii(geom).x, radii(geom).y, radii(geom).z});
 }
 
-constexpr SolidType kSolid = {.view = view, .core_reach = core_reach, .core_size = core_size};
+RevolvedSolid round_solid(const Geom& geom) { return RevolvedSolid::ellipsoid(radii(geom)); }
+
+constexpr SolidType kSolid = {
+    .view = view, .core_reach = core_reach, .core_size = core_size, .round_solid = round_solid};
 
 }  // namespace
 

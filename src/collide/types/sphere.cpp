@@ -6,6 +6,7 @@
 #include "collide/describe.h"
 #include "collide/solid_type.h"
 #include "collide/types/registry.h"
+#include "geometry/immersion/revolved_solid.h"
 
 namespace epode {
 namespace {
@@ -31,8 +32,16 @@ void describe_sphere(const Geom& geom, DifWriter& out)
     out.real("radius", shape(geom).radius);
 }
 
-constexpr SolidType kSolid = {
-    .view = view_of_shape<Sphere>, .core_reach = core_reach, .core_size = core_size};
+RevolvedSolid round_solid(const Geom& geom)
+{
+    const Real r = shape(geom).radius;
+    return RevolvedSolid::ellipsoid({r, r, r});
+}
+
+constexpr SolidType kSolid = {.view = view_of_shape<Sphere>,
+                              .core_reach = core_reach,
+                              .core_size = core_size,
+                              .round_solid = round_solid};
 
 }  // namespace
 

@@ -14,6 +14,7 @@
 #include "collide/describe.h"
 #include "collide/solid_type.h"
 #include "collide/types/registry.h"
+#include "geometry/immersion/revolved_solid.h"
 #include "geometry/inertia.h"
 #include "ode/mass.h"
 
@@ -172,7 +173,24 @@ void describe_tapered_capsule(const Geom& geom, DifWriter& out)
     out.real("length", c.length);
 }
 
-constexpr SolidType kSolid = {.view = view};
+// The ends of the cone where it touches the balls.
+RevolvedSolid round_solid(const Geom& geom)
+{
+    const TaperedCapsule& c = shape(geom);
+    RevolvedSolid out;
+    if (c.is_ball()) {
+        const Real r = std::max(c.r1, c.r2), z = c.r1 > c.r2 ? c.z1 : c.z2();
+        out.add_ball(z - r, z + r, z, r);
+        return out;
+    }
+    const Real s = c.sine(), k = c.cosine(), low = c.z1 + c.r1 * s, high = c.z2() + c.r2 * s;
+    out.add_ball(c.z1 - c.r1, low, c.z1, c.r1);
+    out.add_frustum(low, high, c.r1 * k, c.r2 * k);
+    out.add_ball(high, c.z2() + c.r2, c.z2(), c.r2);
+    return out;
+}
+
+constexpr SolidType kSolid = {.view = view, .round_solid = round_solid};
 
 }  // namespace
 

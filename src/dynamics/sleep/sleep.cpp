@@ -74,7 +74,8 @@ bool has_contacts(const Island& island)
 
 bool is_watched(const Body& body)
 {
-    return body.auto_disable && body.sleep.samples > 0 && (body.joints || body.manifolds);
+    return body.auto_disable && body.sleep.samples > 0 && !body.fluid.restless &&
+           (body.joints || body.manifolds || body.fluid.floats);
 }
 
 // Counts a step at the beginning of which the body is idle, or is not; true if it is ready to sleep.

@@ -121,6 +121,26 @@ bool StepUndo::wake_reached(int count, Arena& arena)
     return true;
 }
 
+bool StepUndo::save_fluids(Arena& arena)
+{
+    before_fluids_ = arena.take<BeforeFluids>(int(bodies_.size()));
+    if (arena.failed()) return false;
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        before_fluids_[i] = {load(bodies_[i]->facc), load(bodies_[i]->tacc), bodies_[i]->fluid};
+    return true;
+}
+
+// After restore_body(), which knows the accumulators with the fluids' forces.
+void StepUndo::restore_fluids() const
+{
+    if (!fluids_act_) return;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const BeforeFluids& before = before_fluids_[i];
+        store(bodies_[i]->facc, before.force), store(bodies_[i]->tacc, before.torque);
+        bodies_[i]->fluid = before.fluid;
+    }
+}
+
 void StepUndo::save(std::size_t i)
 {
     const Body& body = *bodies_[i];
@@ -167,6 +187,7 @@ void StepUndo::restore() const
         bodies_[i]->disabled = marks_[i].slept;
         if (marks_[i].saved) restore_body(i);
     }
+    restore_fluids();
     restore_impulses();
     restore_idleness(idleness_);
     for (int i = wakings_; i-- > 0;) restore_idleness(woken_[i]);

@@ -23,6 +23,10 @@ class StepUndo {
     // After the search for islands: saves the impulses of their joints and reserves memory for their bodies.
     // Sleeping bodies that an awake one reaches wake up here.
     [[nodiscard]] bool save_islands(std::span<const Island> islands, Arena& arena);
+    // Before fluids act on bodies(): their accumulators and what fluids did to them. mark_fluids(): now they are changed. False: out of
+    // memory.
+    [[nodiscard]] bool save_fluids(Arena& arena);
+    void mark_fluids() { fluids_act_ = true; }
     // Saves body i of bodies() when its island begins, on the worker that is about to read it anyway.
     void save(std::size_t i);
     // All that has been saved.
@@ -60,6 +64,10 @@ class StepUndo {
         Mat3 rotation;
         Vec3 velocity, angular_velocity, force, torque, spin_excess;
     };
+    struct BeforeFluids {
+        Vec3 force, torque;
+        BodyInFluid fluid;
+    };
     struct Mark {
         bool slept, saved, had_manifolds;
     };
@@ -74,6 +82,7 @@ class StepUndo {
     void restore_body(std::size_t i) const;
     static void restore_pose(Body& body, const Saved& saved);
     void restore_impulses() const;
+    void restore_fluids() const;
 
     World& world_;
     std::span<Idleness> idleness_;  // of the awake bodies that watch themselves
@@ -82,8 +91,10 @@ class StepUndo {
     int wakings_ = 0;
     std::span<Body* const> bodies_;  // of all islands, one after the other
     std::span<Joint* const> joints_;
-    std::span<Saved> saved_;  // of bodies_
-    std::span<Mark> marks_;   // likewise
+    std::span<Saved> saved_;                 // of bodies_
+    std::span<Mark> marks_;                  // likewise
+    std::span<BeforeFluids> before_fluids_;  // likewise
+    bool fluids_act_ = false;
     std::span<Remembering> remembering_;
     std::span<Real> impulses_;
 };
