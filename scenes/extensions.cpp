@@ -79,6 +79,7 @@ using CreateOfThree = dGeomID (*)(dSpaceID, dReal, dReal, dReal);
 using MassOfCone = void (*)(dMass*, dReal, int, dReal, dReal);
 using MassOfEllipsoid = void (*)(dMass*, dReal, dReal, dReal, dReal);
 using MassOfTapered = void (*)(dMass*, dReal, int, dReal, dReal, dReal);
+using CreateFluid = void* (*)(dWorldID);
 using GetTriangles = int (*)(dGeomID, int, dReal*, int);
 
 }  // namespace
@@ -119,6 +120,12 @@ std::vector<dReal> triangles_of(dGeomID geom)
     out.resize(9 * std::size_t(count));
     get(geom, kSegments, out.data(), count);
     return out;
+}
+
+bool add_water(dWorldID world)
+{
+    const auto create = find<CreateFluid>("dFluidCreate");
+    return create && create(world);
 }
 
 bool has_step_fast() { return fast_function() != nullptr; }

@@ -21,6 +21,9 @@ struct StepReport {
     int iterations = 0, fallbacks = 0, contained_islands = 0;
 };
 
+// Water below z = 0; false where the library has none.
+bool add_water(dWorldID world);
+
 bool has_step_fast();
 // dWorldStepFast1; 0 where the library has none.
 int step_fast(dWorldID world, dReal dt, int substeps);

@@ -98,7 +98,7 @@ ODE_API void dFluidSetTime(dFluidID fluid, dReal time);
 ODE_API dReal dFluidGetTime(dFluidID fluid);
 
 /** Compute what of a geom or body lies in the fluid now: its volume, m^3, and the centre of that, m, world (3 reals). Either may be 0.
-    Returns 1 if anything does; 0, with zeros, if not. Exact for a flat surface: to rounding, for solids of revolution but balls to 1e-10 of the solid.
+    Returns 1 if anything does; 0, with zeros, if not. Exact for a flat surface: to rounding, for solids of revolution but balls to 1e-8 of the solid.
     - dFluidGetSubmerged: Of one geom, of a body or not.
     - dFluidGetSubmergedBody: Of a body, the sum of its geoms. [ours] */
 ODE_API int dFluidGetSubmerged(dFluidID fluid, dGeomID geom, dReal* volume, dVector3 centre);

@@ -202,7 +202,10 @@ class dWorldExt : public dWorld {
 class dBodyExt : public dBody {
   public:
     /** dBodyGetFluidForce. */
-    int getFluidForce(dVector3 force, dVector3 torque) const { return dBodyGetFluidForce(get_id(), force, torque); }
+    int getFluidForce(dVector3 force, dVector3 torque) const
+    {
+        return dBodyGetFluidForce(get_id(), force, torque);
+    }
 
     /** Without a world there is no body yet. */
     dBodyExt() {}
@@ -480,7 +483,10 @@ class dFluid {
 
     /** dFluidSetSurface, dFluidSetCurrentFunction. */
     void setSurface(dFluidSurface* surface, void* data) { dFluidSetSurface(_id, surface, data); }
-    void setCurrentFunction(dFluidCurrent* current, void* data) { dFluidSetCurrentFunction(_id, current, data); }
+    void setCurrentFunction(dFluidCurrent* current, void* data)
+    {
+        dFluidSetCurrentFunction(_id, current, data);
+    }
 
     /** dFluidSetVolume, dFluidGetVolume. */
     void setVolume(dGeomID volume) { dFluidSetVolume(_id, volume); }

@@ -30,12 +30,15 @@ class Fluid(Object):
     """A fluid of a world, made by ``World.fluid``: everything below a surface. It lifts, brakes and carries awake bodies in
     every step."""
 
-    __slots__ = ("_volume",)
+    __slots__ = ()
 
-    def __init__(self, world: World) -> None:
+    def __init__(self, world: World, live: c.dFluidID | None = None) -> None:
         self.world = world
-        self._live: c.dFluidID | None = c.dFluidCreate(world._handle)
-        self._volume: Geom | None = None
+        self._live: c.dFluidID | None = live if live is not None else c.dFluidCreate(world._handle)
+
+    @classmethod
+    def _around(cls, world: World, live: c.dFluidID) -> Fluid:
+        return cls(world, live)
 
     def _settings(self) -> c.dFluidSettings:
         given = c.dFluidSettings()
@@ -78,13 +81,13 @@ class Fluid(Object):
 
     @property
     def volume(self) -> Geom | None:
-        """The geom that the fluid is restricted to; None: no limit."""
-        return self._volume
+        """The geom of the world that the fluid is restricted to; None: no limit."""
+        handle = c.dFluidGetVolume(self._handle)
+        return next((geom for geom in self.world._geoms.values() if geom._live == handle), None)
 
     @volume.setter
     def volume(self, geom: Geom | None) -> None:
         c.dFluidSetVolume(self._handle, None if geom is None else geom._handle)
-        self._volume = geom
 
     @property
     def time(self) -> float:

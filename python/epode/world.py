@@ -87,7 +87,7 @@ class World(Object):
     """A world of bodies, joints and geoms, which finds its contacts by itself. At the end of a ``with`` block it is destroyed; it is
     destroyed too when nothing refers to it, or to anything in it, any more."""
 
-    __slots__ = ("_bodies", "_joints", "_geoms", "_space", "_body_list", "bodies", "_group", "_past", "_edition", "_recording", "stepper", "_robots")
+    __slots__ = ("_bodies", "_joints", "_geoms", "_space", "_body_list", "bodies", "_group", "_past", "_edition", "_recording", "stepper", "_robots", "_fluids")
     _bodies: dict[c.dBodyID, Body]
     _joints: dict[c.dJointID, Joint]
     _geoms: dict[int, Geom]
@@ -98,6 +98,7 @@ class World(Object):
     _edition: int  # grows when something is made or destroyed
     _recording: Recording | None
     _robots: list[Robot]
+    _fluids: list[Fluid]
 
     def __init__(self, *, gravity: ArrayLike = (0, 0, -9.81), contacts: bool = True, threads: int | None = None,
                  space: str = "hash", defaults: str = "ode") -> None:
@@ -115,6 +116,7 @@ class World(Object):
         self._bodies, self._joints, self._geoms, self._body_list, self._past, self._recording = {}, {}, {}, None, None, None
         self._edition = 0
         self._robots = []
+        self._fluids = []
         self._space = _SPACES[space](None)
         self._group = c.dJointGroupCreate(0)
         self.bodies = Bodies(self)
@@ -294,6 +296,11 @@ class World(Object):
             fluid.destroy()
             raise
         return fluid
+
+    @property
+    def fluids(self) -> tuple[Fluid, ...]:
+        """The fluids of the world, the oldest first."""
+        return tuple(self._fluids)
 
     def joint(self, type: str, body1: Body | None, body2: Body | None = None, **settings: typing.Any) -> Joint:
         """A new joint of a type (ball, hinge, slider, universal, hinge2, fixed, amotor, lmotor, plane2d, pr, pu, piston,
@@ -611,6 +618,7 @@ class World(Object):
         world._live, world._space, world._group = handle, space, c.dJointGroupCreate(0)
         world._bodies, world._joints, world._geoms, world._body_list, world._past, world._recording = {}, {}, {}, None, None, None
         world._edition, world.bodies, world.stepper, world._robots = 0, Bodies(world), "exact", []
+        world._fluids = [Fluid._around(world, c.dWorldGetFluid(handle, i)) for i in range(c.dWorldGetNumFluids(handle))]
         return world
 
     def _adopt(self, like: World | Description, bodies: list[c.dBodyID], joints: list[c.dJointID], geoms: list[c.dGeomID]) -> None:

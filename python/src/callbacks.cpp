@@ -60,7 +60,9 @@ dReal on_height(void* data, int x, int z)
 dReal on_surface(void* data, const dVector3 place, dReal time)
 {
     dReal height = 0;
-    guarded([&] { height = nb::cast<double>(nb::borrow(static_cast<PyObject*>(data))(array_of(place, 3), time)); });
+    guarded([&] {
+        height = nb::cast<double>(nb::borrow(static_cast<PyObject*>(data))(array_of(place, 3), time));
+    });
     return height;
 }
 
@@ -249,7 +251,8 @@ void bind_callbacks(nb::module_& m)
     m.def("dWorldSetContactFilter", set_contact_filter, "world"_a.none(), "filter"_a.none(),
           TEXT(dWorldSetContactFilter));
     m.def("dFluidSetSurface", set_surface, "fluid"_a.none(), "surface"_a.none(), TEXT(dFluidSetSurface));
-    m.def("dFluidSetCurrentFunction", set_current, "fluid"_a.none(), "current"_a.none(), TEXT(dFluidSetCurrentFunction));
+    m.def("dFluidSetCurrentFunction", set_current, "fluid"_a.none(), "current"_a.none(),
+          TEXT(dFluidSetCurrentFunction));
     m.def("dGeomHeightfieldDataBuildCallback", build_callback, "d"_a.none(), "callback"_a, "width"_a,
           "depth"_a, "widthSamples"_a, "depthSamples"_a, "scale"_a, "offset"_a, "thickness"_a, "bWrap"_a,
           TEXT(dGeomHeightfieldDataBuildCallback));

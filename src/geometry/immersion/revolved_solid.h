@@ -10,7 +10,7 @@
 // Revolution: with n = (a, 0, c) the slice at z is a disc of radius rho cut at x <= s = (d - c z) / a,
 //   A = s w + rho^2 (pi/2 + atan2(s, w)),   integral of x = -2/3 w^3,   w^2 = rho^2 - s^2.
 // Along z these are smooth but where the plane meets the rim of a slice, s^2 = rho^2, a quadratic equation; there they go like the
-// power 3/2. Between such places z = m + k sin(phi) makes them analytic, and Gauss' rule in phi leaves less than 1e-10 of the
+// power 3/2. Between such places z = m + k sin(phi) makes them analytic, and Gauss' rule in phi leaves less than 1e-8 of the
 // solid. Closed forms (of cylinders, of caps by Gauss and Bonnet) were rejected: they divide differences by c^2 where the axis lies
 // along the plane.
 #pragma once

@@ -78,7 +78,7 @@ TEST_P(Draught, of_a_lying_capsule_is_that_of_a_ball_and_a_cylinder)
 }
 
 INSTANTIATE_TEST_SUITE_P(, Draught, testing::Values(1.0 / 120, 1.0 / 60, 1.0 / 30),
-                         [](const auto& info) { return std::to_string(int(1 / info.param + 0.5)) + "_Hz"; });
+                         [](const auto& one) { return std::to_string(int(1 / one.param + 0.5)) + "_Hz"; });
 
 // Seconds between passages of zero in one direction.
 double period(const std::function<double()>& value, const std::function<void()>& step, double h)
@@ -358,7 +358,7 @@ TEST_P(AsleepInWater, floats_until_the_fluid_changes)
 }
 
 INSTANTIATE_TEST_SUITE_P(, AsleepInWater, testing::Values(int(dDefaultsOde), int(dDefaultsGame)),
-                         [](const auto& info) { return info.param == dDefaultsOde ? "ode" : "game"; });
+                         [](const auto& one) { return one.param == dDefaultsOde ? "ode" : "game"; });
 
 // The weight of a body in water is what the bottom bears.
 TEST(floating, sunken_box_rests_on_the_bottom_and_floats_up_in_brine)

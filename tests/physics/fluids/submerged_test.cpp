@@ -93,6 +93,30 @@ TEST(submerged, cone_leaves_a_cone)
     EXPECT_NEAR(submerged(pool.fluid, cone).volume, kPi / 3, tol(1e-10, 1e-5));
 }
 
+// A tapered capsule whose one end holds the other is a ball, by slices: near its poles Gauss' rule has its worst places.
+TEST(submerged, ball_in_slices_is_a_ball_of_caps)
+{
+    Pool pool;
+    const dGeomID slices = dCreateTaperedCapsule(pool.space, 1, real(0.3), real(0.5)),
+                  caps = dCreateSphere(pool.space, 1);
+    dReal r1, r2, length_of;
+    dGeomTaperedCapsuleGetParams(slices, &r1, &r2, &length_of);
+    dVector3 middle;
+    std::mt19937 engine(5);
+    std::uniform_real_distribution<double> within(-1, 1);
+    for (int i = 0; i < 300; ++i) {
+        turn(slices, within(engine), within(engine), within(engine), 3 * within(engine));
+        dGeomSetPosition(slices, 0, 0, 0);
+        dFluidSetPlane(pool.fluid, 0, 0, 1, 100);
+        dFluidGetSubmerged(pool.fluid, slices, nullptr, middle);
+        dGeomSetPosition(caps, middle[0], middle[1], middle[2]);
+        dFluidSetPlane(pool.fluid, real(0.01 * within(engine)), 0, 1, middle[2] + real(within(engine)));
+        const Part a = submerged(pool.fluid, slices), b = submerged(pool.fluid, caps);
+        EXPECT_NEAR(a.volume, b.volume, tol(4e-8, 1e-4));
+        EXPECT_NEAR(length(a.volume * a.centre - b.volume * b.centre), 0, tol(4e-8, 1e-4));
+    }
+}
+
 std::vector<std::function<dGeomID(dSpaceID)>> solids()
 {
     return {[](dSpaceID s) { return dCreateSphere(s, real(0.8)); },
