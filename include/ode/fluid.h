@@ -25,8 +25,9 @@ extern "C" {
     - world: the world.
     - body: the body.
 
-    Refused: a fluid, world, body or geom that is 0 or destroyed; numbers that are not finite; null pointers; what
-    each function names; [dFluidCreate, dFluidDestroy, dFluidSet] a call during a step. Nothing changes then, and the answer is 0. */
+    Refused: a fluid that is 0 or destroyed; a world that is 0 or destroyed; a body that is 0 or destroyed; a geom that is 0 or destroyed;
+    numbers that are not finite; null pointers where results are written; what each function names; [dFluidCreate, dFluidDestroy, dFluidSet*] a
+    call during a step. Nothing changes then, and the answer is 0. */
 
 /** A fluid of a world. */
 typedef struct dxFluid* dFluidID;

@@ -5,6 +5,7 @@
 #include "collide/solid_type.h"
 #include "collide/surfaces/trimesh.h"
 #include "geometry/immersion/polygons.h"
+#include "ode/shapes.h"
 
 namespace epode {
 namespace {

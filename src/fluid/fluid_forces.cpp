@@ -98,7 +98,11 @@ class BodyForces {
         const Vec3 force = (weight * volume) * level.normal, r = centre - body_.position();
         buoyancy_ += force, moment_ += cross(r, force);
         const WaterPlane local = in_frame(level, geom.pose());
-        if (std::fabs(local.height(geom.middle())) >= dot(abs(local.normal), geom.half_extent())) return;
+        // What is near enough to reach the surface within the step counts as cut by it.
+        const Real near =
+            h_ * std::fabs(dot(body_.point_velocity(centre), level.normal)) + h_ * h_ * length(gravity_);
+        if (std::fabs(local.height(geom.middle())) >= dot(abs(local.normal), geom.half_extent()) + near)
+            return;
         // The waterplane is at most the shadow along its normal, and reaches as far as the geom.
         const Real k = weight * geom.shadow(local.normal), turn = k * length2(geom.half_extent()) / 4;
         const Vec3 n = level.normal;
@@ -153,20 +157,21 @@ class BodyForces {
         return h_ * h_ * ((k(0) + k(1) + k(2)) * body_.inv_mass + turned);
     }
 
-    // (M + h C + h^2 beta K) (v+ - v) = h (f - C (v - u_fluid)); false: not finite.
+    // (M + h (C + h beta K)) (v+ - v) = h (f - (C + h beta K) v + C u_fluid); false: not finite.
     bool velocity_change(Vec3 f, Vec3 t, Real (&change)[6]) const
     {
         Matrix6 A;
         const Real m = body_.mass.mass;
         for (int i = 0; i < 3; ++i) A.add(i, i, m);
         A.add_angular(inertia_);
-        A.add(drag_, h_);
         const Real ratio = stiffness_ratio();
-        if (ratio > 2) A.add(stiffness_, h_ * h_ * (Real(0.5) - 1 / ratio));
+        Matrix6 damping = drag_;
+        if (ratio > 2) damping.add(stiffness_, h_ * (1 - 2 / ratio));
+        A.add(damping, h_);
         const Vec3 v = body_.velocity(), w = body_.angular_velocity();
         const Real before[6] = {v.x, v.y, v.z, w.x, w.y, w.z};
         Real dragged[6];
-        drag_.multiply(before, dragged);
+        damping.multiply(before, dragged);
         for (int i = 0; i < 3; ++i) {
             change[i] = h_ * (f[i] - dragged[i] + carried_[i]);
             change[3 + i] = h_ * (t[i] - dragged[3 + i] + carried_[3 + i]);

@@ -11,12 +11,13 @@
 //
 // All k are those of the beginning of the step, the velocities those of its end, so drag is a matrix C >= 0 and
 //
-//   (M + h C + h^2 beta K) v+ = M v + h (p + B) + h C u_fluid + h^2 beta K v
+//   (M + h C + h^2 beta K) v+ = M v + h (p + B) + h C u_fluid
 //
-// with p the weight and the program's force. v+ - v comes from M^-1-weighted contractions: drag never reverses a velocity and
-// never gives energy, however large; a falling body ends at exactly the velocity where C v = p + B. The fluid's force is M (v+ - v) / h - p.
-// K is the stiffness of the waterplane. Semi-implicit Euler, which a step is for forces, is stable while w h < 2 for the frequencies w^2 of
-// M^-1 K; beta = max(0, 1/2 - 1 / (w h)^2) keeps it at (w h)^2 <= 2 with a body that seems heavier, and is 0 for what is larger than a toy.
+// with p the weight and the program's force. Drag never reverses a velocity and never gives energy, however large; a falling body
+// ends at exactly the velocity where C v = p + B. The fluid's force is M (v+ - v) / h - p.
+// K >= 0 is a bound of the stiffness of the waterplane. Semi-implicit Euler, which a step is for forces, is stable while w h < 2 for the
+// frequencies w^2 of M^-1 K; from (w h)^2 = 2 on beta = 1 - 2 / (w h)^2 makes it implicit, which damps what the step cannot follow. It is 0
+// for all but small or thin bodies.
 // What something holds (joints, contacts) does not move as p says: there the buoyancy is exact and drag acts on v alone.
 // Added mass is not modelled: to be stable it must be part of M, and contacts and joints would have to know.
 #pragma once

