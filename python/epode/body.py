@@ -123,6 +123,12 @@ class Body(Object):
         """Add a torque, N m, for the next step; relative: in the body's frame."""
         (c.dBodyAddRelTorque if relative else c.dBodyAddTorque)(self._handle, *three(torque, "torque"))
 
+    @property
+    def fluid_force(self) -> tuple[FloatArray, FloatArray]:
+        """(force, torque) that fluids exerted on the body in the last step in which it was awake; zeros outside of them."""
+        _, force, torque = c.dBodyGetFluidForce(self._handle)
+        return force, torque
+
     def to_world(self, point: ArrayLike) -> FloatArray:
         """Where a point of the body is in the world."""
         return c.dBodyGetRelPointPos(self._handle, *three(point, "point"))

@@ -208,6 +208,60 @@ void test_characters()
     judge("dCharacter::getReport", hero.getReport(&report) == 1 && report.state != 0, Numbers());
 }
 
+dReal swell(void* data, const dVector3, dReal) { return *static_cast<const dReal*>(data); }
+
+void stream(void* data, const dVector3, dReal, dVector3 velocity)
+{
+    velocity[0] = *static_cast<const dReal*>(data);
+    velocity[1] = velocity[2] = 0;
+}
+
+void test_fluids()
+{
+    dWorldExt world;
+    dHashSpace space(0);
+    dFluid water(world);
+    judge("dFluid::id", water.id() == dWorldGetFluid(world, 0), Numbers());
+    judge("dFluid::getWorld", water.getWorld() == world.id(), Numbers());
+    judge("dWorldExt::getNumFluids", world.getNumFluids() == 1, Numbers());
+    judge("dWorldExt::getFluid", world.getFluid(0) == water.id(), Numbers());
+    dFluidSettingsExt brine, read;
+    brine.density = 1200;
+    judge("dFluid::setSettings",
+          water.setSettings(brine) == 1 && dFluidGetSettings(water, &read) == 1 && read.density == 1200,
+          Numbers());
+    judge("dFluid::getSettings", water.getSettings(read) == 1 && read.density == 1200, Numbers());
+    dVector4 plane;
+    water.setPlane(0, 0, 2, 1);
+    dFluidGetPlane(water, plane);
+    judge("dFluid::setPlane", plane[2] == 1 && plane[3] == REAL(0.5), Numbers(1, plane[3]));
+    water.getPlane(plane);
+    judge("dFluid::getPlane", plane[2] == 1 && plane[3] == REAL(0.5), Numbers(1, plane[3]));
+
+    dBodyExt body(world);
+    dBox box(space, 1, 1, 1);
+    box.setBody(body);
+    dReal volume, height = REAL(-0.5), speed = 3;
+    dVector3 centre, force, torque;
+    judge("dFluid::getSubmerged", water.getSubmerged(box, &volume, centre) == 1 && volume == 1,
+          Numbers(1, volume));
+    water.setSurface(swell, &height);
+    judge("dFluid::setSurface",
+          water.getSubmergedBody(body, &volume, centre) == 1 && volume == REAL(0.5), Numbers(1, volume));
+    judge("dFluid::getSubmergedBody", centre[2] == REAL(-0.25), Numbers(1, centre[2]));
+    water.setCurrentFunction(stream, &speed);
+    world.step(REAL(0.01));
+    judge("dFluid::setCurrentFunction", body.getLinearVel()[0] > 0, Numbers(1, body.getLinearVel()[0]));
+    judge("dBodyExt::getFluidForce", body.getFluidForce(force, torque) == 1 && force[0] > 0,
+          Numbers(1, force[0]));
+    judge("dFluid::getTime", water.getTime() == REAL(0.01), Numbers(1, water.getTime()));
+    water.setTime(4);
+    judge("dFluid::setTime", dFluidGetTime(water) == 4, Numbers());
+    water.setVolume(box);
+    judge("dFluid::setVolume", dFluidGetVolume(water) == box.id(), Numbers());
+    judge("dFluid::getVolume", water.getVolume() == box.id(), Numbers());
+}
+
 void test_joints()
 {
     dWorldExt world;
@@ -401,6 +455,7 @@ int main()
     test_copies();
     test_history();
     test_characters();
+    test_fluids();
     test_joints();
     test_coupling();
     test_body_and_geoms();

@@ -132,9 +132,9 @@ constexpr int kWrongHandles = 15, kHandleLists = 3;
 
 const char* name_of(Kind kind)
 {
-    static constexpr const char* kNames[] = {"world",        "body",      "joint",     "group", "geom",
-                                             "space",        "heights",   "threading", "pool",  "cooperative",
-                                             "requirements", "container", "triangles"};
+    static constexpr const char* kNames[] = {"world",       "body",         "joint",     "group",     "geom",
+                                             "space",       "heights",      "fluid",     "threading", "pool",
+                                             "cooperative", "requirements", "container", "triangles"};
     return is_handle(kind) ? kNames[int(kind)] : "";
 }
 
