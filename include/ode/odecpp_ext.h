@@ -207,6 +207,19 @@ class dBodyExt : public dBody {
         return dBodyGetFluidForce(get_id(), force, torque);
     }
 
+    /** dBodyApplyImpulse, dBodyApplyAngularImpulse, dBodyApplyForce, dBodyApplyTorque, dBodySetVelocities. */
+    void applyImpulse(const dVector3 impulse, const dVector3 pos)
+    {
+        dBodyApplyImpulse(get_id(), impulse, pos);
+    }
+    void applyAngularImpulse(const dVector3 impulse) { dBodyApplyAngularImpulse(get_id(), impulse); }
+    void applyForce(const dVector3 force, const dVector3 pos) { dBodyApplyForce(get_id(), force, pos); }
+    void applyTorque(const dVector3 torque) { dBodyApplyTorque(get_id(), torque); }
+    void setVelocities(const dVector3 linear, const dVector3 angular, int wake)
+    {
+        dBodySetVelocities(get_id(), linear, angular, wake);
+    }
+
     /** Without a world there is no body yet. */
     dBodyExt() {}
     dBodyExt(dWorldID world) : dBody(world) {}
@@ -434,6 +447,13 @@ class dSpaceExt : public Space {
                  const dQueryFilter* filter, dQueryHit* hits, int threads) const
     {
         return dSpaceRayBatch(Space::id(), count, origins, directions, lengths, filter, hits, threads);
+    }
+
+    /** dSpaceApplyRadialImpulse. */
+    int applyRadialImpulse(const dVector3 center, dReal radius, dReal impulse, int falloff, int occlusion,
+                           const dQueryFilter* filter)
+    {
+        return dSpaceApplyRadialImpulse(Space::id(), center, radius, impulse, falloff, occlusion, filter);
     }
 
     /** dSpaceOverlap, dSpaceCast. */

@@ -123,6 +123,27 @@ class Body(Object):
         """Add a torque, N m, for the next step; relative: in the body's frame."""
         (c.dBodyAddRelTorque if relative else c.dBodyAddTorque)(self._handle, *three(torque, "torque"))
 
+    def apply_impulse(self, impulse: ArrayLike, *, at: ArrayLike | None = None) -> None:
+        """Give an impulse, N s, at the centre or at a point of the world: the velocities change at once, and the body wakes."""
+        c.dBodyApplyImpulse(self._handle, impulse, self.position if at is None else at)
+
+    def apply_angular_impulse(self, impulse: ArrayLike) -> None:
+        """Give the moment of an impulse, N m s: the angular velocity changes at once, and the body wakes."""
+        c.dBodyApplyAngularImpulse(self._handle, impulse)
+
+    def apply_force(self, force: ArrayLike, *, at: ArrayLike | None = None) -> None:
+        """Add a force, N, for the next step, at the centre or at a point of the world, and wake the body."""
+        c.dBodyApplyForce(self._handle, force, self.position if at is None else at)
+
+    def apply_torque(self, torque: ArrayLike) -> None:
+        """Add a torque, N m, for the next step, and wake the body."""
+        c.dBodyApplyTorque(self._handle, torque)
+
+    def set_velocities(self, linear: ArrayLike | None = None, angular: ArrayLike | None = None, *, wake: bool = True) -> None:
+        """Set the linear (m/s) and the angular velocity (rad/s); None: it stays."""
+        c.dBodySetVelocities(self._handle, self.linear_velocity if linear is None else linear,
+                             self.angular_velocity if angular is None else angular, int(wake))
+
     @property
     def fluid_force(self) -> tuple[FloatArray, FloatArray]:
         """(force, torque) that fluids exerted on the body in the last step in which it was awake; zeros outside of them."""

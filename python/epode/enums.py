@@ -41,6 +41,13 @@ class CombineRule(enum.IntEnum):
     MAXIMUM = c.dCombineMaximum
 
 
+class Falloff(enum.IntEnum):
+    """How a radial impulse decreases with the distance r from its centre, up to its radius R."""
+    NONE = c.dFalloffNone
+    LINEAR = c.dFalloffLinear
+    QUADRATIC = c.dFalloffQuadratic
+
+
 class CauseKind(enum.IntEnum):
     """What ``World.diagnose`` finds (``c.dDiagnosisKind``)."""
     INPUT = c.dDiagnosisInput

@@ -564,6 +564,12 @@ class World(Object):
         found = c.dSpaceOverlap(self._space_handle, geom._handle, filter)
         return [self._geoms[one.id] for one in found if one.id in self._geoms]
 
+    def radial_impulse(self, center: ArrayLike, radius: float, impulse: float, *, falloff: Falloff = Falloff.LINEAR,
+                       occlusion: bool = False, filter: c.dQueryFilter | None = None) -> int:
+        """Give an impulse, N s, away from the centre to each body within the radius, m: what the falloff leaves at its nearest
+        point. occlusion: only to those that nothing else hides. Returns how many had one."""
+        return c.dSpaceApplyRadialImpulse(self._space_handle, center, radius, impulse, falloff, int(occlusion), filter)
+
     # ---- states ----
 
     def save(self) -> bytes:

@@ -144,7 +144,7 @@ MAY_BE_NULL = [
     r"dWorldGetStateDelta:out",
     r"dWorld(Clone|CountHandles|Save|Load)\w*:space", r"dWorldClone:table", r"dWorldSaveToBuffer:buffer",
     r"dGeomHeightfieldDataSetHoles:holes", r"dWorldDiagnose:causes", r"dDefaultsText:text", r"dWorldGetEvents:events", r"d(WorldSetEventSettings|CharacterCreate):settings", r"dFluidSetSurface:surface", r"dFluidSetCurrentFunction:current",
-    r"dFluidSetVolume:volume", r"dFluidGetSubmerged\w*:(volume|centre)", r"dBodyGetFluidForce:(force|torque)", r"dWorldGetContacts:contacts", r"dWorldGetContactEvents:events", r"dSpaceRayAll:hits", r"dSpaceOverlap:geoms", r"dSpaceRayBatch:(origins|directions|lengths|hits)",
+    r"dFluidSetVolume:volume", r"dFluidGetSubmerged\w*:(volume|centre)", r"dBodyGetFluidForce:(force|torque)", r"dBodyApply(Impulse|Force):pos", r"dBodySetVelocities:(linear|angular)", r"dWorldGetContacts:contacts", r"dWorldGetContactEvents:events", r"dSpaceRayAll:hits", r"dSpaceOverlap:geoms", r"dSpaceRayBatch:(origins|directions|lengths|hits)",
     # With no elements there is nothing to point to.
     r"d(SetZero|SetValue|Dot|ScaleVector|VectorScale|FactorLDLT):(a|b|d|A)",
     r"dCooperatively\w+:(A|L|b|d|dataVector|scaleVector)",
