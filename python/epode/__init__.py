@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import c
 from .body import Body, BodyGroup
-from .enums import (Behaviour, CauseKind, CombineRule, ContactEventKind, EventGone, EventKind, IslandMethod, Severity)
+from .enums import (Behaviour, CauseKind, CombineRule, ContactEventKind, EventGone, EventKind, Falloff, IslandMethod, Severity)
 from .errors import BusyError, DeadHandleError, EpodeWarning, RefusedError
 from .fluid import Fluid
 from .geom import Geom
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 __all__ = ["Batch", "Behaviour", "Body", "BodyGroup", "Box", "BusyError", "Capsule", "Cause", "CauseKind", "CombineRule", "Cone",
            "ContactEventKind", "Convex", "Cylinder", "DeadHandleError", "Decomposition", "Drive", "Ellipsoid", "EpodeWarning",
-           "EventGone", "EventKind", "Fluid", "Geom", "HeightField", "IslandMethod", "Joint", "Material", "Mesh", "Plane",
+           "EventGone", "EventKind", "Falloff", "Fluid", "Geom", "HeightField", "IslandMethod", "Joint", "Material", "Mesh", "Plane",
            "Recording", "RefusedError", "Severity", "Sphere", "TaperedCapsule", "World", "c", "decompose", "defaults_text",
            "joint_states", "load", "load_world", "robot", "step_worlds", "sweep", "vector"]
 

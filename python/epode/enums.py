@@ -42,7 +42,7 @@ class CombineRule(enum.IntEnum):
 
 
 class Falloff(enum.IntEnum):
-    """How a radial impulse decreases with the distance r from its centre, up to its radius R."""
+    """How a radial impulse decreases with the distance r from its centre, up to its radius R (``c.dFalloff``)."""
     NONE = c.dFalloffNone
     LINEAR = c.dFalloffLinear
     QUADRATIC = c.dFalloffQuadratic

@@ -19,7 +19,7 @@ from ._handle import FloatArray, Object, Value, flag, reads_and_sets, three
 from ._robot_states import joined, numbers_of, set_numbers, split
 from ._structure import Description, Past, Structure
 from .body import Bodies, Body
-from .enums import Behaviour, CauseKind, Severity
+from .enums import Behaviour, CauseKind, Falloff, Severity
 from .errors import RefusedError
 from .fluid import Fluid
 from .geom import Geom

@@ -262,6 +262,33 @@ void test_fluids()
     judge("dFluid::getVolume", water.getVolume() == box.id(), Numbers());
 }
 
+void test_impulses()
+{
+    dWorldExt world;
+    dSpaceExt<dHashSpace> space(0);
+    dBodyExt body(world);
+    dBox box(space, 1, 1, 1);
+    box.setBody(body);
+    const dVector3 J = {0, 0, 3}, L = {0, 2, 0}, still = {0, 0, 0}, below = {0, 0, -2};
+    dMass m;
+    body.getMass(&m);
+    const auto v = [&] { return body.getLinearVel()[2] * m.mass; };
+    body.disable();
+    body.applyImpulse(J, 0);
+    judge("dBodyExt::applyImpulse", v() == 3 && body.isEnabled(), Numbers(1, v()));
+    body.applyAngularImpulse(L);
+    judge("dBodyExt::applyAngularImpulse", body.getAngularVel()[1] > 0, Numbers(1, body.getAngularVel()[1]));
+    body.disable();
+    body.setVelocities(still, still, 0);
+    judge("dBodyExt::setVelocities", v() == 0 && !body.isEnabled(), Numbers(1, v()));
+    body.applyForce(J, 0);
+    judge("dBodyExt::applyForce", body.getForce()[2] == 3 && body.isEnabled(), Numbers(1, body.getForce()[2]));
+    body.applyTorque(L);
+    judge("dBodyExt::applyTorque", body.getTorque()[1] == 2, Numbers(1, body.getTorque()[1]));
+    const int count = space.applyRadialImpulse(below, 4, 1, dFalloffNone, 1, 0);
+    judge("dSpaceExt::applyRadialImpulse", count == 1 && v() == 1, Numbers(1, v()));
+}
+
 void test_joints()
 {
     dWorldExt world;
@@ -456,6 +483,7 @@ int main()
     test_history();
     test_characters();
     test_fluids();
+    test_impulses();
     test_joints();
     test_coupling();
     test_body_and_geoms();
