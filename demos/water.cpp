@@ -10,7 +10,7 @@
 #include "stage.h"
 
 static dFluidID water;
-static dGeomID crates[4], sound_boat, tall_boat, iron, surface;
+static dGeomID crates[4], sound_boat, tall_boat, iron;
 static const double kDensities[4] = {200, 400, 600, 800};
 static double level = 1.5;
 
@@ -55,8 +55,18 @@ static void build()
     demo::paint(iron = demo::sphere(0, -1.5, level + 0.3, 0.15, 7800), 0.3f, 0.3f, 0.32f);
 }
 
+static void draw_water()
+{
+    const double pos[3] = {0, 0, level / 2}, sides[3] = {7, 5.5, level};
+    const double upright[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    dsSetTexture(DS_NONE);
+    dsSetColorAlpha(0.15f, 0.45f, 0.7f, 0.45f);
+    dsDrawBoxD(pos, upright, sides);
+}
+
 static void calm(double t)
 {
+    draw_water();
     if (t > 6) dFluidSetSurface(water, nullptr, nullptr);
 }
 

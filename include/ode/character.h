@@ -38,8 +38,8 @@ extern "C" {
 
 /** Decides whether a character collides with another geom in one move: not if it returns 0. data is that of
     the settings, velocity is what the move was asked for. It is called once for each geom nearby, the one
-    that has joined last first, and must not change the space. One-way platforms: answer 1 only when the
-    character comes from above. */
+    that has joined last first, and must not change the space. One-way platforms: answer 1 if the geom is the
+    ground of the last report, or if the character comes down with its feet above it. */
 typedef int dCharacterFilter(void* data, dGeomID character, dGeomID other, const dVector3 velocity);
 
 /** What a character is and does. Each field ends with its default. */

@@ -34,7 +34,7 @@ extern "C" {
 ODE_API void dBodyApplyImpulse(dBodyID body, const dVector3 impulse, const dVector3 pos);
 ODE_API void dBodyApplyAngularImpulse(dBodyID body, const dVector3 impulse);
 
-/** Act in the next step, as dBodyAddForceAtPos and dBodyAddTorque do, and wake the body.
+/** Act in the next step, as dBodyAddForceAtPos and dBodyAddTorque do, on a body that is awake from now on.
     - dBodyApplyForce: Add the force (N) at pos, which may be 0.
     - dBodyApplyTorque: Add the torque (N m). [ours] */
 ODE_API void dBodyApplyForce(dBodyID body, const dVector3 force, const dVector3 pos);

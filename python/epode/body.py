@@ -141,7 +141,7 @@ class Body(Object):
 
     def set_velocities(self, linear: ArrayLike | None = None, angular: ArrayLike | None = None, *, wake: bool = True) -> None:
         """Set the linear (m/s) and the angular velocity (rad/s); None: it stays."""
-        c.dBodySetVelocities(self._handle, self.linear_velocity if linear is None else linear,
+        c.dBodySetVelocities(self._handle, self.velocity if linear is None else linear,
                              self.angular_velocity if angular is None else angular, int(wake))
 
     @property

@@ -83,6 +83,8 @@ class Fluid(Object):
     def volume(self) -> Geom | None:
         """The geom of the world that the fluid is restricted to; None: no limit."""
         handle = c.dFluidGetVolume(self._handle)
+        if handle is None:
+            return None
         return next((geom for geom in self.world._geoms.values() if geom._live == handle), None)
 
     @volume.setter

@@ -13,6 +13,7 @@
 #include "dynamics/impulse.h"
 #include "ode/ext.h"
 #include "query/distance.h"
+#include "query/query_filter.h"
 #include "step/common/link.h"
 
 namespace epode {
@@ -184,6 +185,8 @@ extern "C" int dSpaceApplyRadialImpulse(dSpaceID id, const dVector3 center, dRea
     EPODE_USER(usable_vector(center) && usable(radius) && radius > 0 && usable(impulse), 0);
     EPODE_USER(falloff >= dFalloffNone && falloff <= dFalloffQuadratic, 0);
     EPODE_USER(occlusion == 0 || occlusion == 1, 0);
+    QueryFilter checked;
+    if (!read_filter(given, __func__, checked)) return 0;
     dQueryFilter filter;
     dQueryFilterInit(&filter, sizeof filter);
     const Blast blast = {load(center), radius, impulse, falloff};

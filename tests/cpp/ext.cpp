@@ -246,9 +246,12 @@ void test_fluids()
     judge("dFluid::getSubmerged", water.getSubmerged(box, &volume, centre) == 1 && volume == 1,
           Numbers(1, volume));
     water.setSurface(swell, &height);
-    judge("dFluid::setSurface",
-          water.getSubmergedBody(body, &volume, centre) == 1 && volume == REAL(0.5), Numbers(1, volume));
-    judge("dFluid::getSubmergedBody", centre[2] == REAL(-0.25), Numbers(1, centre[2]));
+    judge(
+        "dFluid::setSurface",
+        water.getSubmergedBody(body, &volume, centre) == 1 && volume > REAL(0.4999) && volume < REAL(0.5001),
+        Numbers(1, volume));
+    judge("dFluid::getSubmergedBody", centre[2] > REAL(-0.2501) && centre[2] < REAL(-0.2499),
+          Numbers(1, centre[2]));
     water.setCurrentFunction(stream, &speed);
     world.step(REAL(0.01));
     judge("dFluid::setCurrentFunction", body.getLinearVel()[0] > 0, Numbers(1, body.getLinearVel()[0]));
@@ -266,27 +269,26 @@ void test_impulses()
 {
     dWorldExt world;
     dSpaceExt<dHashSpace> space(0);
-    dBodyExt body(world);
+    dBodyExt body(world);  // of 1 kg
     dBox box(space, 1, 1, 1);
     box.setBody(body);
     const dVector3 J = {0, 0, 3}, L = {0, 2, 0}, still = {0, 0, 0}, below = {0, 0, -2};
-    dMass m;
-    body.getMass(&m);
-    const auto v = [&] { return body.getLinearVel()[2] * m.mass; };
+    const dReal *v = body.getLinearVel(), *w = body.getAngularVel();
     body.disable();
     body.applyImpulse(J, 0);
-    judge("dBodyExt::applyImpulse", v() == 3 && body.isEnabled(), Numbers(1, v()));
+    judge("dBodyExt::applyImpulse", v[2] == 3 && body.isEnabled(), Numbers(1, v[2]));
     body.applyAngularImpulse(L);
-    judge("dBodyExt::applyAngularImpulse", body.getAngularVel()[1] > 0, Numbers(1, body.getAngularVel()[1]));
+    judge("dBodyExt::applyAngularImpulse", w[1] == 2, Numbers(1, w[1]));
     body.disable();
     body.setVelocities(still, still, 0);
-    judge("dBodyExt::setVelocities", v() == 0 && !body.isEnabled(), Numbers(1, v()));
+    judge("dBodyExt::setVelocities", v[2] == 0 && w[1] == 0 && !body.isEnabled(), Numbers(1, v[2]));
     body.applyForce(J, 0);
-    judge("dBodyExt::applyForce", body.getForce()[2] == 3 && body.isEnabled(), Numbers(1, body.getForce()[2]));
+    judge("dBodyExt::applyForce", body.getForce()[2] == 3 && body.isEnabled(),
+          Numbers(1, body.getForce()[2]));
     body.applyTorque(L);
     judge("dBodyExt::applyTorque", body.getTorque()[1] == 2, Numbers(1, body.getTorque()[1]));
     const int count = space.applyRadialImpulse(below, 4, 1, dFalloffNone, 1, 0);
-    judge("dSpaceExt::applyRadialImpulse", count == 1 && v() == 1, Numbers(1, v()));
+    judge("dSpaceExt::applyRadialImpulse", count == 1 && v[2] == 1, Numbers(1, v[2]));
 }
 
 void test_joints()

@@ -135,5 +135,31 @@ TEST(RadialImpulses, do_not_reach_what_is_hidden)
     }
 }
 
+// A charge on the ground, whose plane is not in its own way.
+TEST(RadialImpulses, of_a_charge_on_the_ground_lift_what_stands_there)
+{
+    Yard yard;
+    dCreatePlane(yard.space, 0, 0, 1, 0);
+    const dBodyID crate = yard.crate(2, 0, dReal(1.5));
+    const dVector3 centre = {};
+    EXPECT_EQ(dSpaceApplyRadialImpulse(yard.space, centre, 5, 10, dFalloffNone, 1, nullptr), 1);
+    const dReal* v = dBodyGetLinearVel(crate);
+    EXPECT_NEAR(4 * v[0], 10 * 0.8, 1e-4);  // along (2, 0, 1.5)
+    EXPECT_NEAR(4 * v[2], 10 * 0.6, 1e-4);
+}
+
+TEST(Impulses, that_no_velocity_can_have_are_refused_and_change_nothing)
+{
+    Yard yard;
+    const dBodyID body = yard.crate(0, 0, 0, 1e-6);
+    dBodyDisable(body);
+    const dVector3 huge = {dReal(sizeof(dReal) == 4 ? 1e17 : 1e99), 0, 0};
+    dSetMessageHandler([](int, const char*, va_list) {});
+    dBodyApplyImpulse(body, huge, nullptr);
+    dSetMessageHandler(nullptr);
+    EXPECT_EQ(dBodyGetLinearVel(body)[0], 0);
+    EXPECT_EQ(dBodyIsEnabled(body), 0);
+}
+
 }  // namespace
 }  // namespace epode::physics
