@@ -28,7 +28,7 @@ extern "C" {
     then, and what returns a number returns 0. */
 
 /** Change the velocities at once: by an impulse (N s), or by its moment alone (N m s).
-    - dBodyApplyImpulse: Give the body the impulse at `pos`, which may be 0: impulse / mass in velocity, and its
+    - dBodyApplyImpulse: Give the body the impulse at pos, which may be 0: impulse / mass in velocity, and its
       moment about the centre.
     - dBodyApplyAngularImpulse: Give the body the moment. [ours] */
 ODE_API void dBodyApplyImpulse(dBodyID body, const dVector3 impulse, const dVector3 pos);

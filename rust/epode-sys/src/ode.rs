@@ -84,6 +84,11 @@ pub struct dxThreadingThreadPool {
     _private: [u8; 0],
     _marker: Unshared,
 }
+#[repr(C)]
+pub struct dxFluid {
+    _private: [u8; 0],
+    _marker: Unshared,
+}
 /// a dynamics world
 pub type dWorldID = *mut dxWorld;
 /// a collision space; also usable as a dGeomID by cast
@@ -114,6 +119,8 @@ pub type dCooperativeID = *mut dxCooperative;
 pub type dResourceRequirementsID = *mut dxResourceRequirements;
 /// That memory, acquired.
 pub type dResourceContainerID = *mut dxResourceContainer;
+/// A fluid of a world.
+pub type dFluidID = *mut dxFluid;
 /// A pool of threads.
 pub type dThreadingThreadPoolID = *mut dxThreadingThreadPool;
 pub type dTriIndex = u32;
@@ -170,8 +177,8 @@ pub type dAABBTestFn = Option<unsafe extern "C" fn(dGeomID, dGeomID, *mut dReal)
 pub type dQueryCallback = Option<unsafe extern "C" fn(*mut c_void, dGeomID) -> c_int>;
 /// Decides whether a character collides with another geom in one move: not if it returns 0. data is that of
 /// the settings, velocity is what the move was asked for. It is called once for each geom nearby, the one
-/// that has joined last first, and must not change the space. One-way platforms: answer 1 only when the
-/// character comes from above.
+/// that has joined last first, and must not change the space. One-way platforms: answer 1 if the geom is the
+/// ground of the last report, or if the character comes down with its feet above it.
 pub type dCharacterFilter = Option<unsafe extern "C" fn(*mut c_void, dGeomID, dGeomID, *const dReal) -> c_int>;
 /// Decides whether two geoms may touch: not if it returns 0. It is called once when they come near each
 /// other, and again when they have been apart.
@@ -227,6 +234,13 @@ pub type dThreadingImplThreadCountRetrieveFunction = Option<unsafe extern "C" fn
 /// Make room for so many calls at once, at most 65536. Returns 1, or 0 if there is none: then a step that
 /// asked for it returns 0.
 pub type dThreadingImplResourcesForCallsPreallocateFunction = Option<unsafe extern "C" fn(dThreadingImplementationID, ddependencycount_t) -> c_int>;
+/// The height of the surface above the fluid's plane at a place of that plane (world frame, m) and a time (s); data is
+/// the program's. It is called on the caller's thread, in the order of bodies and geoms; it must not change the world. What is not
+/// finite counts as 0.
+pub type dFluidSurface = Option<unsafe extern "C" fn(*mut c_void, *const dReal, dReal) -> dReal>;
+/// Writes the velocity (m/s, world) of the fluid at a place (m, world) and a time (s) to velocity; data is the program's. It is called
+/// like dFluidSurface. It replaces dFluidSettings::current.
+pub type dFluidCurrent = Option<unsafe extern "C" fn(*mut c_void, *const dReal, dReal, *mut dReal)>;
 /// Gives \`size\` bytes aligned for any type, or NULL.
 pub type dAllocFunction = Option<unsafe extern "C" fn(usize) -> *mut c_void>;
 /// Resizes a block from oldsize to newsize bytes, keeping the common part.
@@ -642,6 +656,14 @@ pub const dEventGoneG1: dEventGone = 1;
 pub const dEventGoneG2: dEventGone = 2;
 /// joint has been destroyed
 pub const dEventGoneJoint: dEventGone = 4;
+/// How a radial impulse decreases with the distance r from its centre, up to its radius R.
+pub type dFalloff = c_uint;
+/// it does not
+pub const dFalloffNone: dFalloff = 0;
+/// 1 - r / R
+pub const dFalloffLinear: dFalloff = 1;
+/// (1 - r / R)^2
+pub const dFalloffQuadratic: dFalloff = 2;
 /// How an island was solved.
 pub type dIslandMethod = c_uint;
 /// nothing to solve
@@ -1124,6 +1146,24 @@ pub struct dEventSettings {
     pub min_impulse: dReal,
     /// the same by their approach speed, m/s. 0
     pub min_approach_speed: dReal,
+}
+/// What a fluid exerts. With u the velocity of a solid's submerged part against the fluid and A the shadow of the solid along u
+/// times its submerged share, the drag is (density/2 drag \|u\| + linear\_drag) A u. Each field ends with its default.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dFluidSettings {
+    /// sizeof(dFluidSettings), set by the caller or dFluidSettingsInit
+    pub struct_size: c_uint,
+    /// kg/m^3, 0 or more. 1000, water
+    pub density: dReal,
+    /// coefficient of drag by pressure, 0 or more; a ball has about 0.47. 1
+    pub drag: dReal,
+    /// drag proportional to the velocity, of skin and of waves, N s/m^3, 0 or more. 200
+    pub linear_drag: dReal,
+    /// times the drag against turning of a box of the solid's extents, 0 or more. 1
+    pub angular_drag: dReal,
+    /// velocity of the fluid, m/s, world. 0
+    pub current: dVector3,
 }
 /// What the last step of a world did. Sums and worst values over its islands. Lengths in m, angles in rad,
 /// energies in J.
@@ -2307,6 +2347,82 @@ extern "C" {
     /// they are compared. Not written: geom offsets, damping, callbacks, the contents of meshes and height fields.
     /// Numbers have 15 significant digits (9 in single precision) whatever the locale.
     pub fn dWorldExportDIF(w: dWorldID, file: *mut FILE, world_name: *const c_char);
+    /// Fills \*settings with the default of every field, and writes struct\_size, which is sizeof(dFluidSettings), to it:
+    /// dFluidSettingsInit(&settings, sizeof settings). Returns 1.
+    pub fn dFluidSettingsInit(settings: *mut dFluidSettings, struct_size: c_uint) -> c_int;
+    /// Create a fluid in the world, with the default settings: water below z = 0.
+    pub fn dFluidCreate(world: dWorldID) -> dFluidID;
+    /// Destroy the fluid; a world that is destroyed destroys its own.
+    pub fn dFluidDestroy(fluid: dFluidID);
+    /// The world that the fluid is in.
+    pub fn dFluidGetWorld(fluid: dFluidID) -> dWorldID;
+    /// How many fluids the world has.
+    pub fn dWorldGetNumFluids(world: dWorldID) -> c_int;
+    /// The fluid with that index, 0 ... dWorldGetNumFluids - 1, in the order of creation. Refused: another index.
+    pub fn dWorldGetFluid(world: dWorldID, index: c_int) -> dFluidID;
+    /// Give the fluid a copy of \*settings. Returns 1. Refused: numbers below 0 that may not be; another struct\_size.
+    pub fn dFluidSetSettings(fluid: dFluidID, settings: *const dFluidSettings) -> c_int;
+    /// Copy the settings to \*settings, whose struct\_size says how many. Returns 1.
+    pub fn dFluidGetSettings(fluid: dFluidID, settings: *mut dFluidSettings) -> c_int;
+    /// Set the surface at rest, a x + b y + c z = d, (a, b, c) pointing out of the fluid; at first z = 0.
+    /// (a, b, c) need not be of length 1. Refused: (a, b, c) zero.
+    pub fn dFluidSetPlane(fluid: dFluidID, a: dReal, b: dReal, c: dReal, d: dReal);
+    /// Write a, b, c (of length 1) and d to plane, 4 reals.
+    pub fn dFluidGetPlane(fluid: dFluidID, plane: *mut dReal);
+    /// Let surface say how high the fluid stands above its plane, with data; surface 0, the default: nowhere.
+    /// A geom sees the plane that fits the heights at four places under its box. Bodies in such a fluid do not fall asleep.
+    pub fn dFluidSetSurface(fluid: dFluidID, surface: dFluidSurface, data: *mut c_void);
+    /// Let current say how the fluid moves, with data; current 0, the default: as the settings say.
+    pub fn dFluidSetCurrentFunction(fluid: dFluidID, current: dFluidCurrent, data: *mut c_void);
+    /// Restrict the fluid to a geom, volume (a pool): it acts on geoms the centre of whose submerged part lies in the volume.
+    /// The surface stays that of the fluid. volume 0, the default: no limit; a volume that has been destroyed: the fluid acts nowhere.
+    /// Refused: a volume that is no box, sphere, capsule, cylinder, ellipsoid or convex hull.
+    pub fn dFluidSetVolume(fluid: dFluidID, volume: dGeomID);
+    /// The geom that the fluid is restricted to; 0: none, or one that has been destroyed.
+    pub fn dFluidGetVolume(fluid: dFluidID) -> dGeomID;
+    /// Set the time, s, that functions of the fluid get; 0 at first. Each step adds its size.
+    pub fn dFluidSetTime(fluid: dFluidID, time: dReal);
+    /// The time of the fluid, s. It is part of a world's state.
+    pub fn dFluidGetTime(fluid: dFluidID) -> dReal;
+    /// Of one geom, of a body or not.
+    ///
+    /// Compute what of a geom or body lies in the fluid now: its volume, m^3, and the centre of that, m, world (3 reals). Either may be 0.
+    /// Returns 1 if anything does; 0, with zeros, if not. Exact for a flat surface: to rounding, for solids of revolution but balls to 1e-8 of the solid.
+    pub fn dFluidGetSubmerged(fluid: dFluidID, geom: dGeomID, volume: *mut dReal, centre: *mut dReal) -> c_int;
+    /// Of a body, the sum of its geoms.
+    ///
+    /// Compute what of a geom or body lies in the fluid now: its volume, m^3, and the centre of that, m, world (3 reals). Either may be 0.
+    /// Returns 1 if anything does; 0, with zeros, if not. Exact for a flat surface: to rounding, for solids of revolution but balls to 1e-8 of the solid.
+    pub fn dFluidGetSubmergedBody(fluid: dFluidID, body: dBodyID, volume: *mut dReal, centre: *mut dReal) -> c_int;
+    /// Write the force, N, and the torque about the centre of mass, N m (3 reals each, world), that all fluids exerted on the body in the last step in
+    /// which it was awake. Either may be 0. Returns 1 if it was in a fluid; 0, with zeros, if not.
+    pub fn dBodyGetFluidForce(body: dBodyID, force: *mut dReal, torque: *mut dReal) -> c_int;
+    /// Give the body the impulse at pos, which may be 0: impulse / mass in velocity, and its
+    /// moment about the centre.
+    ///
+    /// Change the velocities at once: by an impulse (N s), or by its moment alone (N m s).
+    pub fn dBodyApplyImpulse(body: dBodyID, impulse: *const dReal, pos: *const dReal);
+    /// Give the body the moment.
+    ///
+    /// Change the velocities at once: by an impulse (N s), or by its moment alone (N m s).
+    pub fn dBodyApplyAngularImpulse(body: dBodyID, impulse: *const dReal);
+    /// Add the force (N) at pos, which may be 0.
+    ///
+    /// Act in the next step, as dBodyAddForceAtPos and dBodyAddTorque do, on a body that is awake from now on.
+    pub fn dBodyApplyForce(body: dBodyID, force: *const dReal, pos: *const dReal);
+    /// Add the torque (N m).
+    ///
+    /// Act in the next step, as dBodyAddForceAtPos and dBodyAddTorque do, on a body that is awake from now on.
+    pub fn dBodyApplyTorque(body: dBodyID, torque: *const dReal);
+    /// Set the velocities, linear in m/s and angular in rad/s. Either may be 0: it stays. wake: 1 wakes the body;
+    /// 0 does not, as dBodySetLinearVel and dBodySetAngularVel. Refused: another wake.
+    pub fn dBodySetVelocities(body: dBodyID, linear: *const dReal, angular: *const dReal, wake: c_int);
+    /// Give an impulse away from center to each body with a geom of the space within radius (m): impulse (N s)
+    /// times what the falloff leaves at the geom's nearest point, there, along the line to the centre of mass.
+    /// A body has it once, at its nearest geom. occlusion 1: only if nothing of another body, and no geom
+    /// without one, is between center and that point; else 0. A null filter finds everything. Returns how many
+    /// bodies had one. Refused: a radius of 0 or below; a dFalloff or an occlusion that is none.
+    pub fn dSpaceApplyRadialImpulse(space: dSpaceID, center: *const dReal, radius: dReal, impulse: dReal, falloff: c_int, occlusion: c_int, filter: *const dQueryFilter) -> c_int;
     /// Switch the report of steps on (mode 1) or off (0, the default). A report
     /// costs one more evaluation of the residual per step. Other values are refused.
     pub fn dWorldSetStepReportMode(world: dWorldID, mode: c_int);

@@ -19,6 +19,8 @@ pub const HEADERS: &[&str] = &[
     "ode/events.h",
     "ode/export-dif.h",
     "ode/ext.h",
+    "ode/fluid.h",
+    "ode/impulses.h",
     "ode/mass.h",
     "ode/matrix.h",
     "ode/matrix_coop.h",
@@ -70,6 +72,7 @@ macro_rules! ode_structures {
         dDrive { struct_size stiffness damping armature friction target target_velocity force force_limit }
         dEvent { kind gone g1 g2 joint pos normal approach_speed impulse }
         dEventSettings { struct_size kinds capacity min_impulse min_approach_speed }
+        dFluidSettings { struct_size density drag linear_drag angular_drag current }
         dWorldStepReport { struct_size islands bodies joints rows residual iterations fallbacks contained_islands factorisations joint_error joint_angle_error penetration energy_before energy_after projection_iterations projections_unconverged projection_error stopped_bodies friction_error raised_bodies raised_residual unsolved_joint unsolved_joints }
         dIslandStepReport { struct_size method body bodies joints rows iterations factorisations fallback contained residual joint_error joint_angle_error penetration energy_before energy_after projection_iterations projection_unconverged projection_error stopped_bodies friction_error raised_bodies raised_residual unsolved_joint unsolved_joints }
         dEnergyLedger { struct_size islands body kinetic_before kinetic_after potential_before potential_after gravity forces drives friction impacts joints damping correction integration }
@@ -383,6 +386,9 @@ macro_rules! ode_numbers {
         dEventGoneG1
         dEventGoneG2
         dEventGoneJoint
+        dFalloffNone
+        dFalloffLinear
+        dFalloffQuadratic
         dIslandMethodNone
         dIslandMethodDense
         dIslandMethodActiveSet
@@ -678,6 +684,31 @@ macro_rules! ode_functions {
         dGeomSetSensor
         dGeomGetSensor
         dWorldExportDIF
+        dFluidSettingsInit
+        dFluidCreate
+        dFluidDestroy
+        dFluidGetWorld
+        dWorldGetNumFluids
+        dWorldGetFluid
+        dFluidSetSettings
+        dFluidGetSettings
+        dFluidSetPlane
+        dFluidGetPlane
+        dFluidSetSurface
+        dFluidSetCurrentFunction
+        dFluidSetVolume
+        dFluidGetVolume
+        dFluidSetTime
+        dFluidGetTime
+        dFluidGetSubmerged
+        dFluidGetSubmergedBody
+        dBodyGetFluidForce
+        dBodyApplyImpulse
+        dBodyApplyAngularImpulse
+        dBodyApplyForce
+        dBodyApplyTorque
+        dBodySetVelocities
+        dSpaceApplyRadialImpulse
         dWorldSetStepReportMode
         dWorldGetStepReportMode
         dWorldGetStepReport

@@ -276,6 +276,59 @@ impl Body<'_> {
 }
 
 impl BodyMut<'_> {
+    /// Give the body the impulse at pos, which may be 0: impulse / mass in velocity, and its
+    /// moment about the centre.
+    ///
+    /// Change the velocities at once: by an impulse (N s), or by its moment alone (N m s).
+    ///
+    /// C: `dBodyApplyImpulse`.
+    pub fn apply_impulse(&mut self, impulse: Vec3, pos: Vec3) -> Result<()> {
+        let impulse = pad3(impulse);
+        let pos = pad3(pos);
+        call(|| unsafe { sys::dBodyApplyImpulse(self.raw(), impulse.as_ptr(), pos.as_ptr()) })
+    }
+
+    /// Give the body the moment.
+    ///
+    /// Change the velocities at once: by an impulse (N s), or by its moment alone (N m s).
+    ///
+    /// C: `dBodyApplyAngularImpulse`.
+    pub fn apply_angular_impulse(&mut self, impulse: Vec3) -> Result<()> {
+        let impulse = pad3(impulse);
+        call(|| unsafe { sys::dBodyApplyAngularImpulse(self.raw(), impulse.as_ptr()) })
+    }
+
+    /// Add the force (N) at pos, which may be 0.
+    ///
+    /// Act in the next step, as dBodyAddForceAtPos and dBodyAddTorque do, on a body that is awake from now on.
+    ///
+    /// C: `dBodyApplyForce`.
+    pub fn apply_force(&mut self, force: Vec3, pos: Vec3) -> Result<()> {
+        let force = pad3(force);
+        let pos = pad3(pos);
+        call(|| unsafe { sys::dBodyApplyForce(self.raw(), force.as_ptr(), pos.as_ptr()) })
+    }
+
+    /// Add the torque (N m).
+    ///
+    /// Act in the next step, as dBodyAddForceAtPos and dBodyAddTorque do, on a body that is awake from now on.
+    ///
+    /// C: `dBodyApplyTorque`.
+    pub fn apply_torque(&mut self, torque: Vec3) -> Result<()> {
+        let torque = pad3(torque);
+        call(|| unsafe { sys::dBodyApplyTorque(self.raw(), torque.as_ptr()) })
+    }
+
+    /// Set the velocities, linear in m/s and angular in rad/s. Either may be 0: it stays. wake: 1 wakes the body;
+    /// 0 does not, as dBodySetLinearVel and dBodySetAngularVel. Refused: another wake.
+    ///
+    /// C: `dBodySetVelocities`.
+    pub fn set_velocities(&mut self, linear: Vec3, angular: Vec3, wake: i32) -> Result<()> {
+        let linear = pad3(linear);
+        let angular = pad3(angular);
+        call(|| unsafe { sys::dBodySetVelocities(self.raw(), linear.as_ptr(), angular.as_ptr(), wake) })
+    }
+
     /// Request a stepper for the body's island in hybrid steps; dStepperHybrid, the
     /// default: none. An island takes the most exact of those that its bodies request. Other numbers are
     /// refused.
