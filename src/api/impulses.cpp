@@ -56,18 +56,18 @@ struct Struck {
 };
 
 // A geom that is in no space, for the time of a call.
-class Ball {
+class QueryBall {
   public:
-    Ball(Vec3 centre, Real radius) : id_(dCreateSphere(nullptr, radius))
+    QueryBall(Vec3 centre, Real radius) : id_(dCreateSphere(nullptr, radius))
     {
         if (id_) dGeomSetPosition(id_, centre.x, centre.y, centre.z);
     }
-    ~Ball()
+    ~QueryBall()
     {
         if (id_) dGeomDestroy(id_);
     }
-    Ball(const Ball&) = delete;
-    Ball& operator=(const Ball&) = delete;
+    QueryBall(const QueryBall&) = delete;
+    QueryBall& operator=(const QueryBall&) = delete;
     dGeomID id() const { return id_; }
 
   private:
@@ -75,7 +75,7 @@ class Ball {
 };
 
 // The geoms within the ball. False: refused, or out of memory.
-bool find_geoms(dSpaceID space, const Ball& ball, const dQueryFilter& filter, Array<dGeomID>& out)
+bool find_geoms(dSpaceID space, const QueryBall& ball, const dQueryFilter& filter, Array<dGeomID>& out)
 {
     const int count = dSpaceOverlap(space, ball.id(), &filter, nullptr, 0);
     if (count == 0 || !out.resize(count)) return count == 0;
@@ -85,7 +85,7 @@ bool find_geoms(dSpaceID space, const Ball& ball, const dQueryFilter& filter, Ar
 }
 
 // The nearest point of each dynamic body.
-bool find_bodies(const Array<dGeomID>& geoms, const Ball& point, Real radius, Array<Struck>& out)
+bool find_bodies(const Array<dGeomID>& geoms, const QueryBall& point, Real radius, Array<Struck>& out)
 {
     for (const dGeomID id : geoms) {
         Geom* const geom = from_handle<Geom>(id);
@@ -190,7 +190,7 @@ extern "C" int dSpaceApplyRadialImpulse(dSpaceID id, const dVector3 center, dRea
     dQueryFilter filter;
     dQueryFilterInit(&filter, sizeof filter);
     const Blast blast = {load(center), radius, impulse, falloff};
-    const Ball ball(blast.centre, radius), point(blast.centre, 0);
+    const QueryBall ball(blast.centre, radius), point(blast.centre, 0);
     Array<dGeomID> geoms;
     Array<Struck> struck;
     EPODE_USER_SAY(ball.id() && point.id() && find_geoms(id, ball, given ? *given : filter, geoms) &&
