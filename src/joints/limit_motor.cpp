@@ -57,6 +57,7 @@ bool LimitMotor::set(int param, Real value)
 
 void LimitMotor::state(const World& world, StateStream& stream)
 {
+    const OwnSoftness::Usual usual(world, stream);
     const std::uint32_t bits =
         stream.unusual({{&lo, -kInf, true},
                         {&hi, kInf, true},
@@ -64,9 +65,9 @@ void LimitMotor::state(const World& world, StateStream& stream)
                         {&fmax, 0, true, 0},
                         {&fudge, 1},
                         {&bounce, 0},
-                        {&cfm, world.cfm},
-                        {&stop_erp, world.erp},
-                        {&stop_cfm, world.cfm},
+                        {&cfm, usual.cfm},
+                        {&stop_erp, usual.erp},
+                        {&stop_cfm, usual.cfm},
                         {&stop_spring.drive.stiffness, 0, false, 0},
                         {&stop_spring.drive.damping, 0, false, 0},
                         {&turns.last, 0},

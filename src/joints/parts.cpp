@@ -52,10 +52,17 @@ bool OwnSoftness::set(int param, Real value)
     return chosen = true;
 }
 
+// The numbers belong to the format: they are those of a new world, and must never change with it.
+OwnSoftness::Usual::Usual(const World& world, const StateStream& stream)
+    : erp(stream.format() < 7 ? world.erp : Real(0.2)),
+      cfm(stream.format() < 7 ? world.cfm : Real(sizeof(Real) == 8 ? 1e-10 : 1e-5))
+{}
+
 void OwnSoftness::state(const World& world, StateStream& stream)
 {
-    const std::uint32_t bits = stream.unusual({{&erp, world.erp},
-                                               {&cfm, world.cfm},
+    const Usual usual(world, stream);
+    const std::uint32_t bits = stream.unusual({{&erp, usual.erp},
+                                               {&cfm, usual.cfm},
                                                {&spring.drive.stiffness, 0, false, 0},
                                                {&spring.drive.damping, 0, false, 0}},
                                               (chosen ? 1u : 0u) | (spring.acts ? 2u : 0u));

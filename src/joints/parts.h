@@ -80,6 +80,12 @@ struct OwnSoftness {
     bool set(int param, Real value);
     bool get(int param, Real& value) const;
     void state(const World& world, StateStream& stream);
+    // What most joints have: states leave it out. Fixed, so that a state does not depend on the world's values of the
+    // day; those before format 7 did.
+    struct Usual {
+        Usual(const World& world, const StateStream& stream);
+        Real erp, cfm;
+    };
     void apply_to(Row& row) const { row.erp = erp, row.cfm = cfm, row.soft = chosen; }
     void apply_to(RowWriter& out, Row& row) const { apply_to(row), spring.apply_to(out, row); }
 };

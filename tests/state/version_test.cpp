@@ -20,10 +20,12 @@ struct Version {
 
 #ifdef dIDEDOUBLE
 constexpr Version kVersions[] = {{"version_1_double.epw", 10759680517372415681u},
-                                 {"version_2_double.epw", 12748480492551412702u}};
+                                 {"version_2_double.epw", 12748480492551412702u},
+                                 {"version_4_double.epw", 8758077842251647292u}};
 #else
 constexpr Version kVersions[] = {{"version_1_single.epw", 8616090432479375917u},
-                                 {"version_2_single.epw", 8616090432479375917u}};
+                                 {"version_2_single.epw", 8616090432479375917u},
+                                 {"version_4_single.epw", 1u}};
 #endif
 
 std::uint64_t hash_of_motion(dWorldID world)
