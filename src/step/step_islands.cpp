@@ -35,6 +35,15 @@ StepContext without_impulses(const StepContext& c)
     return context;
 }
 
+// After bodies were thrown with a share of the corrections, with none.
+StepContext with_less_correction(const StepContext& c, Real share)
+{
+    StepContext context = with_stepper(c, c.stepper, c.iterations);
+    context.diverged = c.diverged;
+    context.correction = c.correction == 1 ? share : 0;
+    return context;
+}
+
 void forget_impulses(const Island& island)
 {
     for (Joint* joint : island.joints) {
@@ -46,12 +55,14 @@ void forget_impulses(const Island& island)
 
 // The functions below return false when memory is exhausted.
 
-bool step_again(const StepContext& context, const Island& island, IslandPlace place, const Tasks& tasks,
-                Arena& arena, const IslandRecords& records)
+bool step_again(const StepContext& context, Real correction, const Island& island, IslandPlace place,
+                const Tasks& tasks, Arena& arena, const IslandRecords& records)
 {
     context.undo.restore_bodies(island.bodies);
     forget_impulses(island);
-    if (!step_islands(without_impulses(context), {&island, 1}, place, tasks, arena, records)) return false;
+    const StepContext next =
+        correction < 1 ? with_less_correction(context, correction) : without_impulses(context);
+    if (!step_islands(next, {&island, 1}, place, tasks, arena, records)) return false;
     for (dIslandStepReport& report : records.reports) report.fallback = true;
     return true;
 }
@@ -71,11 +82,11 @@ bool step_by_fallback(const IslandRun& run, std::span<const Island> islands, con
 bool step_those_aside(const IslandRun& run, std::span<const Island> islands, const IslandRecords& records)
 {
     for (std::size_t i = 0; i < run.set_aside.size(); ++i) {
-        if (!run.set_aside[i]) continue;
+        if (!run.set_aside[i].is) continue;
         const IslandPlace& at = run.place;
         const IslandPlace own{at.index, at.draw, at.first_contact, at.first_island + int(i)};
         const auto part = [i](auto all) { return all.empty() ? all : all.subspan(i, 1); };
-        if (!step_again(run.context, islands[i], own, run.tasks, run.arena,
+        if (!step_again(run.context, run.set_aside[i].correction, islands[i], own, run.tasks, run.arena,
                         {part(records.reports), part(records.ledgers)}))
             return false;
     }
@@ -96,7 +107,9 @@ bool step_islands(const StepContext& context, std::span<const Island> islands, I
     if (outcome == Outcome::kNoMemory) return false;
     if (outcome == Outcome::kGaveUp) return step_by_fallback(run, islands, records);
     if (outcome == Outcome::kRefused) {
-        if (tries_again) return step_again(context, islands.front(), place, tasks, arena, records);
+        const Real correction = run.correction_of_all;
+        if (tries_again || correction < 1)
+            return step_again(context, correction, islands.front(), place, tasks, arena, records);
         contain_island(run);
     }
     if (run.ledger.wanted()) run.ledger.end();

@@ -37,11 +37,8 @@ void clear_impulses_of(RowSystem& system, const SystemPart& from, const SystemPa
         clear_impulses(*manifold);
 }
 
-}  // namespace
-
-bool keeps_numbers(const Body& body) { return usable(body.lvel, 3) && usable(body.avel, 3); }
-
-void contain_part(IslandRun& run, int part)
+// Velocities as before the step, and no impulses.
+void take_back_part(IslandRun& run, int part)
 {
     RowSystem& system = run.work.system;
     const std::span<Body* const> bodies = run.bodies_of(part);
@@ -50,18 +47,43 @@ void contain_part(IslandRun& run, int part)
     for (std::size_t i = 0; i < bodies.size(); ++i)
         load_velocity(*bodies[i], system.bodies[std::size_t(from.bodies) + i]);
     clear_impulses_of(system, from, to);
+}
+
+}  // namespace
+
+bool keeps_numbers(const Body& body) { return usable(body.lvel, 3) && usable(body.avel, 3); }
+
+void contain_part(IslandRun& run, int part)
+{
+    take_back_part(run, part);
     if (run.may_try_again) {
-        run.set_aside[std::size_t(part)] = true;
+        run.set_aside[std::size_t(part)] = {true, 1};
         return;
     }
-    run.context.runaways.add(*bodies.front());
+    run.context.runaways.add(*run.bodies_of(part).front());
     if (!run.reports.empty()) run.reports[std::size_t(part)].contained = true;
 }
 
-bool part_has_diverged(const IslandRun& run, int part)
+void set_part_aside(IslandRun& run, int part, Real correction)
 {
-    return !run.world.acts_as_ode() && !run.is_free(part) &&
-           has_diverged(run.work, part, run.context.h, run.tasks, run.arena);
+    take_back_part(run, part);
+    run.set_aside[std::size_t(part)] = {true, correction};
+}
+
+Real correctable(const IslandRun& run, const IslandWork& work, Real h)
+{
+    if (run.world.acts_as_ode() || run.context.correction == 0) return 1;
+    return judge_energy(work, 0, h, run.tasks, run.arena).correctable;
+}
+
+bool contain_if_unsound(IslandRun& run, int part, bool may_diverge)
+{
+    if (!run.is_sound(part)) return contain_part(run, part), true;
+    if (run.world.acts_as_ode() || run.is_free(part)) return false;
+    const SolutionEnergy energy = judge_energy(run.work, part, run.context.h, run.tasks, run.arena);
+    if (may_diverge && energy.diverged) return contain_part(run, part), true;
+    if (energy.correctable == 1 || run.context.correction == 0) return false;
+    return set_part_aside(run, part, energy.correctable), true;
 }
 
 void contain_island(IslandRun& run)

@@ -3,6 +3,7 @@
 #include "step/island/divergence.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "tasks/prefetched.h"
 
@@ -84,7 +85,30 @@ double driven_velocity(const RowSystem& system, int body1, int body2, const Jaco
 
 struct Supply {
     double by_targets = 0, by_springs = 0;
+    double by_corrections = 0;       // of by_targets
+    double beyond = 0;               // what rows have worked past their targets
+    double linear = 0, angular = 0;  // sums of squares of what corrections ask for, m/s and rad/s
+
+    void add_beyond(double p, double past) { beyond += std::max(0.0, p * past); }
+    void add_correction(const Row& row, double p, double c)
+    {
+        by_corrections += p * c;
+        (length2(row.lin1) + length2(row.lin2) > 0 ? linear : angular) += c * c;
+    }
 };
+
+Vec3 velocity_at(const RowSystem& system, int body, Vec3 r)
+{
+    if (body < 0) return {};
+    const SolverBody& b = system.bodies[std::size_t(body)];
+    return b.v + cross(b.w, r);
+}
+
+bool corrects(const Row& row, const RowNumbers& n)
+{
+    return row.error != 0 && row.erp != 0 && !row.drive && !row.given &&
+           !(row.has_restitution && n.c == row.restitution_velocity);
+}
 
 void add(const RowSystem& system, const RowBlock& block, Supply& sum)
 {
@@ -95,6 +119,9 @@ void add(const RowSystem& system, const RowBlock& block, Supply& sum)
         if ((row.soft || row.drive) && n.C > 0) sum.by_springs += c * c / double(n.C);
         if (block.term_count == 0) c -= driven_velocity(system, block.body1, block.body2, row);
         sum.by_targets += double(n.p) * c;
+        if (n.p != 0 && corrects(row, n)) sum.add_correction(row, double(n.p), double(n.c - row.speed));
+        const double u = double(row_velocity(system, block, row, system.bodies));
+        sum.add_beyond(double(n.p), u + double(n.C * n.p) - double(n.c));
     }
 }
 
@@ -104,10 +131,12 @@ void add(const RowSystem& system, const JointManifold& m, Supply& sum)
     for (int k = m.first; k < m.first + m.count; ++k) {
         const JointManifoldPoint& point = system.joint_contacts.points[std::size_t(k)];
         const Vec3 r2 = point.r1 + m.offset;
+        const Vec3 u = velocity_at(system, m.body1, point.r1) - velocity_at(system, m.body2, r2);
         for (int i = 0; i < 3; ++i) {
             const Jacobian J{axes[i], cross(point.r1, axes[i]), -axes[i], -cross(r2, axes[i])};
             const double c = double(i == 0 ? point.c : m.c[i - 1]);
             sum.by_targets += double(point.p[i]) * (c - driven_velocity(system, m.body1, m.body2, J));
+            sum.add_beyond(double(point.p[i]), double(dot(u, axes[i])) - c);
         }
     }
 }
@@ -121,10 +150,13 @@ void add(const RowSystem& system, const ContactManifold& m, Supply& sum)
         const Jacobian J{p, cross(widen(point.r1), p), -p, -cross(widen(point.r2), p)};
         sum.by_targets +=
             double(dot(friction, widen(m.surface_velocity))) - driven_velocity(system, m.body1, m.body2, J);
+        const Vec3 u =
+            velocity_at(system, m.body1, widen(point.r1)) - velocity_at(system, m.body2, widen(point.r2));
+        sum.add_beyond(double(point.normal_impulse), double(dot(u, widen(m.normal))));
     }
 }
 
-double supply_to(const RowSystem& system, const SystemPart& from, const SystemPart& to)
+Supply supply_to(const RowSystem& system, const SystemPart& from, const SystemPart& to)
 {
     Supply sum;
     for (int k = from.blocks; k < to.blocks; ++k) add(system, system.blocks[std::size_t(k)], sum);
@@ -132,19 +164,74 @@ double supply_to(const RowSystem& system, const SystemPart& from, const SystemPa
         add(system, system.joint_contacts.manifolds[std::size_t(k)], sum);
     for (int k = from.contact_manifolds; k < to.contact_manifolds; ++k)
         add(system, *system.contact_manifolds[std::size_t(k)], sum);
-    return std::max(0.0, sum.by_targets) + sum.by_springs;
+    return sum;
+}
+
+// Of the whole part, turning as one about its centre of mass.
+struct Whole {
+    double mass = 0, inertia = 0;
+};
+
+Whole whole_of(const IslandWork& work, int first, int last)
+{
+    Whole whole;
+    Vec3 centre{};
+    const auto for_each = [&](auto&& use) {
+        for (auto i = std::size_t(first); i < std::size_t(last); ++i)
+            if (!moves_by_itself(work.system.bodies[i])) use(*work.island.bodies[i]);
+    };
+    for_each([&](const Body& body) {
+        whole.mass += double(body.mass.mass), centre += body.mass.mass * body.position();
+    });
+    if (whole.mass > 0) centre = centre / Real(whole.mass);
+    for_each([&](const Body& body) {
+        const Sym3& I = body.inertia;
+        whole.inertia += double(body.mass.mass * length2(body.position() - centre) + I.xx + I.yy + I.zz);
+    });
+    return whole;
+}
+
+double asked_by_corrections(const Whole& whole, const Supply& sum)
+{
+    return whole.mass * sum.linear + whole.inertia * sum.angular;
 }
 
 }  // namespace
 
-bool has_diverged(const IslandWork& work, int part, Real h, const Tasks& tasks, Arena& arena)
+SolutionEnergy judge_energy(const IslandWork& work, int part, Real h, const Tasks& tasks, Arena& arena)
 {
     const SystemPart from = work.system.begin_of(part), to = work.system.end_of(part);
-    if (is_slow(work, from.bodies, to.bodies)) return false;
+    if (is_slow(work, from.bodies, to.bodies)) return {};
     const PartMotion motion = motion_of(work, from.bodies, to.bodies, h, tasks, arena);
     const double bound = motion.forced + motion.mass * double(kCorrecting * kCorrecting);
     const double gain = motion.solved - motion.forced;
-    return gain > bound && gain - supply_to(work.system, from, to) > bound;
+    if (!(gain > bound)) return {};
+    const Supply sum = supply_to(work.system, from, to);
+    SolutionEnergy energy;
+    energy.diverged = gain - std::max(0.0, sum.by_targets) - sum.by_springs > bound || sum.beyond > gain;
+    const double asked = asked_by_corrections(whole_of(work, from.bodies, to.bodies), sum);
+    const double others = std::max(0.0, sum.by_targets - sum.by_corrections) + sum.by_springs;
+    const double allowed = bound + asked + others;
+    if (gain > allowed) energy.correctable = Real(std::sqrt(allowed / gain) / 2);
+    return energy;
+}
+
+Motion motion_of(const IslandWork& work)
+{
+    Motion sum;
+    for (std::size_t i = 0; i < work.system.bodies.size(); ++i) {
+        const SolverBody& solved = work.system.bodies[i];
+        if (moves_by_itself(solved)) continue;
+        const Body& body = *work.island.bodies[i];
+        sum.energy += kinetic_of(body, solved.v, transposed_times(body.rotation(), solved.w));
+        sum.mass += double(body.mass.mass);
+    }
+    return sum;
+}
+
+bool is_thrown(const Motion& before, const Motion& after)
+{
+    return after.energy > 2 * before.energy + before.mass * double(kCorrecting * kCorrecting);
 }
 
 }  // namespace epode

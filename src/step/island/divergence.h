@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Finds parts of which sweeps have made energy out of nothing. With D the function that sweeps without friction never let
+// Finds parts whose solutions have made energy out of nothing. With D the function that sweeps without friction never let
 // grow, from impulses p = 0 and the velocity v* after all forces, and v_K of kinematic bodies,
 //
 //   D(p) = p J M^-1 J^T p/2 + p C p/2 + p (J v* - c'),    c' = c - J_K v_K
@@ -9,19 +9,42 @@
 //
 // so the kinetic energy T of a solution, converged or not, is at most T* and what the targets put in. Impulses of the
 // last step that no longer fit, along arms many times longer than the radius of gyration, begin with D > 0, and bounds of
-// friction that shrink let go of what they held: then a few sweeps can end above any energy. A part has diverged if
+// friction that shrink let go of what they held, or grow with what they hold: then a few sweeps can end above any energy.
+// Only gains G = T - T* above T* + m (3 m/s)^2 are looked at; the speed is the largest of corrections of positions, of
+// which relaxing may leave a part. A part has diverged if
 //
-//   T - T* - max(0, p c') - sum c^2/C  >  T* + m (3 m/s)^2
+//   G - max(0, p c') - sum c^2/C  >  T* + m (3 m/s)^2     with c^2/C of springs, twice what they hold, or
+//   sum max(0, p_i (J_i v + C p_i - c_i))  >  G           what rows have worked past their targets; 0 of a solution.
+//                                                         Without it, diverged p vouch for themselves where c' > 0
 //
-// with c^2/C of springs, which is twice what they hold; the speed is the largest of corrections of positions, of which
-// relaxing may leave a part.
+// A solution that has not diverged may throw bodies too: near a dead centre a correction of 1 cm asks levers for a thousand
+// times its own velocity. Corrections c_i = rate_i error_i of a joint give its bodies at most their energy at these velocities, and
+//
+//   A = m sum c_i^2 + I (the same of angles),     m of all of the part, I about its centre of mass,
+//
+// is twice that of all joints in all bodies at once. If G exceeds T* + m (3 m/s)^2 + A and what motors, springs and rebounds put
+// in, a share of the corrections is solved again: velocities are linear in c while contacts hold, so half the root of the ratio. Two
+// bodies that a joint draws together from afar never meet this.
 #pragma once
 
 #include "step/island/problem/assemble.h"
 
 namespace epode {
 
+struct SolutionEnergy {
+    bool diverged = false;
+    Real correctable = 1;  // share of the errors of positions; 1: nothing is thrown
+};
+
 // After the solution and before the bodies get its velocities.
-bool has_diverged(const IslandWork& work, int part, Real h, const Tasks& tasks, Arena& arena);
+SolutionEnergy judge_energy(const IslandWork& work, int part, Real h, const Tasks& tasks, Arena& arena);
+
+// Kinetic energy and mass of an island's bodies with the velocities of its solution.
+struct Motion {
+    double energy = 0, mass = 0;
+};
+Motion motion_of(const IslandWork& work);
+// Is it more than what corrections of positions may make of `before`, by the bound above?
+bool is_thrown(const Motion& before, const Motion& after);
 
 }  // namespace epode

@@ -27,7 +27,8 @@ StepContext with_stepper(const StepContext& c, const Stepper& stepper, int itera
             .undo = c.undo,
             .runaways = c.runaways,
             .manages_contacts = c.manages_contacts,
-            .methods = c.methods};
+            .methods = c.methods,
+            .correction = c.correction};
 }
 
 Island joined(std::span<const Island> islands)
@@ -59,6 +60,7 @@ IslandRun::IslandRun(const StepContext& step, std::span<const Island> members, I
 {
     work.island = joined(members);
     work.members = members;
+    work.correction = step.correction;
 }
 
 bool IslandRun::begin(const ProblemForm& form, Real h, int substeps)
@@ -69,7 +71,8 @@ bool IslandRun::begin(const ProblemForm& form, Real h, int substeps)
     work.system.manifold_friction = world.manifold_friction && form.cones;
     for (std::size_t i = 0; i < reports.size(); ++i) report_errors(work, int(i), reports[i]);
     part_residuals = arena.take_zeroed<Real>(int(reports.size()));
-    set_aside = arena.take_zeroed<bool>(work.system.worlds());
+    set_aside = arena.take<Aside>(work.system.worlds());
+    if (!arena.failed()) std::fill(set_aside.begin(), set_aside.end(), Aside{});
     return !arena.failed();
 }
 

@@ -31,6 +31,8 @@ struct StepContext {
     std::span<IslandMethod> methods;  // by island; empty: all have this stepper, and nothing is noted
     // Solutions of the island that have diverged in this step: more than none start from no impulses.
     int diverged = 0;
+    Real correction =
+        1;  // share of the errors of positions that is corrected, once corrections have thrown bodies
 };
 
 // The context with another stepper.
@@ -112,8 +114,14 @@ class IslandRun {
     EnergyLedger ledger;
     SolveReport solved;
     std::span<Real> part_residuals;  // if reports are wanted
-    std::span<bool> set_aside;       // parts that are to be solved again
-    int raised = 0;                  // bodies whose inertia is
+    // Parts that are to be solved again: with less correction, or, where this is 1, because they have diverged.
+    struct Aside {
+        bool is = false;
+        Real correction = 1;
+    };
+    std::span<Aside> set_aside;
+    Real correction_of_all = 1;  // of an attempt that is refused: below 1, the next one corrects less
+    int raised = 0;              // bodies whose inertia is
 
   private:
     std::span<SolverBody> plain_;  // the bodies as they are, if reports are wanted

@@ -18,6 +18,7 @@
 #include "rows/policy.h"
 #include "rows/separating.h"
 #include "solve/common/substep_rows.h"
+#include "step/island/containment.h"
 #include "step/island/positions/shake.h"
 #include "step/island/positions/tension.h"
 #include "step/island/problem/default_softness.h"
@@ -178,6 +179,7 @@ void ExactSubsteps::kick(Real warm_share)
 bool ExactSubsteps::run(const ExactSettings& settings, ProjectionReport& projected)
 {
     bool raised = run_.raised > 0;
+    if (throws(first_)) return false;
     add_to_ledger(first_);
     follow_contacts(first_, first_);
     carry_out(first_, raised, settings);
@@ -198,10 +200,17 @@ bool ExactSubsteps::run(const ExactSettings& settings, ProjectionReport& project
     return true;
 }
 
+bool ExactSubsteps::throws(const IslandWork& work)
+{
+    if (!run_.is_free(0)) run_.correction_of_all = correctable(run_, work, hs_);
+    return run_.correction_of_all < 1;
+}
+
 bool ExactSubsteps::next(const ExactSettings& settings, IslandWork& work, bool& raised)
 {
     load_forces();
     work.island = island_;
+    work.correction = run_.work.correction;
     if (!assemble(world_, hs_, form_, Tasks(1), arena_, work, nullptr)) return false;
     limit_default_softness(world_, hs_, work.system);
     carry_contacts(first_, work);
@@ -212,6 +221,7 @@ bool ExactSubsteps::next(const ExactSettings& settings, IslandWork& work, bool& 
     load_warm_start(first_, work);
     SolveReport one;
     if (!solve_exactly(work.system, settings, arena_, one) || !sound(work.system, 0)) return false;
+    if (throws(work)) return false;
     one.unsolved_joint = block_in(first_, work, one.unsolved_joint);
     add(run_.solved, one);
     return true;

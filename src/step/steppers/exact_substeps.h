@@ -50,6 +50,7 @@ class ExactSubsteps {
         Real coupling;
     };
 
+    bool throws(const IslandWork& work);  // has its solution, by what it corrects?
     bool next(const ExactSettings& settings, IslandWork& work, bool& raised);
     void load_forces();
     void restore_forces() const;

@@ -8,6 +8,7 @@
 #include "rows/policy.h"
 #include "solve/exact/equalities.h"
 #include "solve/solver.h"
+#include "step/island/divergence.h"
 #include "step/island/positions/position_rows.h"
 
 namespace epode {
@@ -49,7 +50,7 @@ class Shake {
         system_.blocks = arena_.take<RowBlock>(int(work_.system.blocks.size()));
         system_.bodies = arena_.take<SolverBody>(bodies);
         sources_ = arena_.take<int>(rows), closed_ = arena_.take<Closed>(rows);
-        starts_ = arena_.take<Start>(bodies);
+        starts_ = arena_.take<Start>(bodies), solved_ = arena_.take<Real>(rows);
         if (arena_.failed()) return false;
         choose_rows();
         save_starts();
@@ -59,6 +60,8 @@ class Shake {
     bool run()
     {
         bool changed = false;
+        const Motion solved = motion_of(work_);
+        save_solution();
         go();
         for (int i = 0; i < kMaxIterations && worst_ <= kLongestTurn && (i == 0 || !is_enough()); ++i) {
             const Real merit = merit_;
@@ -68,6 +71,7 @@ class Shake {
             changed = true;
         }
         if (changed) hold_velocities();
+        if (changed && is_thrown(solved, motion_of(work_))) return take_back(), false;
         return changed;
     }
 
@@ -77,6 +81,7 @@ class Shake {
         Quat q;
         Mat3 R;
         Vec3 excess;
+        Vec3 v, w;  // of the solution
     };
     struct Closed {  // a row that holds a joint
         std::size_t block;
@@ -137,8 +142,29 @@ class Shake {
     {
         for (std::size_t i = 0; i < starts_.size(); ++i) {
             const Body& b = body(i);
-            starts_[i] = {b.position(), b.orientation(), b.rotation(), b.spin_excess};
+            starts_[i] = {b.position(), b.orientation(), b.rotation(), b.spin_excess, {}, {}};
         }
+    }
+
+    void save_solution()
+    {
+        for (std::size_t i = 0; i < starts_.size(); ++i)
+            starts_[i].v = work_.system.bodies[i].v, starts_[i].w = work_.system.bodies[i].w;
+        for (std::size_t i = 0; i < system_.numbers.size(); ++i)
+            solved_[i] = work_.system.numbers[std::size_t(sources_[i])].p;
+    }
+
+    // Near a dead centre levers would have to fly to close.
+    void take_back()
+    {
+        for (std::size_t i = 0; i < starts_.size(); ++i) {
+            SolverBody& to = work_.system.bodies[i];
+            to.v = starts_[i].v, to.w = starts_[i].w;
+            store(body(i).lvel, to.v), store(body(i).avel, to.w);
+        }
+        for (std::size_t i = 0; i < system_.numbers.size(); ++i)
+            work_.system.numbers[std::size_t(sources_[i])].p = solved_[i];
+        go();
     }
 
     // From the beginning with the present velocities.
@@ -260,6 +286,7 @@ class Shake {
     std::span<int> sources_;  // rows of the step, parallel to its rows
     std::span<Closed> closed_;
     std::span<Start> starts_;
+    std::span<Real> solved_;      // impulses, parallel to sources_
     Real worst_ = 0, merit_ = 0;  // largest e'/l, sum of its squares
 };
 

@@ -12,6 +12,7 @@
 namespace epode {
 namespace {
 
+constexpr Real kLongestArm = 10;  // m, with which a body moves as fast as stops close
 constexpr Real kSlow = kSingle ? Real(1e-4) : Real(1e-5);  // m/s or rad/s
 
 bool is_motor(const Row& row) { return row.kind == RowKind::kLimit && row.lo != 0 && row.hi != 0; }
@@ -64,7 +65,8 @@ class StopSystem {
     // A body that is moved is not idle, whatever its velocity.
     void move(std::size_t from, std::size_t to) const
     {
-        const Real share = largest_share(system_.bodies.subspan(from, to - from));
+        const auto bodies = system_.bodies.subspan(from, to - from);
+        const Real share = std::min(largest_share(bodies), share_of_way(bodies));
         for (std::size_t i = from; i < to; ++i) {
             Body& body = *work_.island.bodies[i];
             const SolverBody& s = system_.bodies[i];
@@ -74,6 +76,15 @@ class StopSystem {
             if (normalize(q)) set_orientation(body, q);
             body.idle_steps_left = body.sleep.steps, body.idle_time_left = body.sleep.time;
         }
+    }
+
+    // Near a dead centre what closes a stop by 1 mm moves levers by a thousand times as much.
+    Real share_of_way(std::span<const SolverBody> displacement) const
+    {
+        const Real limit = kLongestArm * world_.contact_max_vel * work_.system.h;
+        Real longest = 0;
+        for (const SolverBody& s : displacement) longest = std::max(longest, length(s.v));
+        return longest > limit ? limit / longest : 1;
     }
 
     void choose_rows()

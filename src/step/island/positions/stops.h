@@ -9,7 +9,7 @@
 //
 //   minimise  dx^T M dx / 2   subject to   J dx = 0 for what holds joints,   J dx >= min(erp e, h v_max) for stops, 0 for contacts
 //
-// to first order; what that leaves is the next step's. Small errors keep their velocity: below kSlow nobody is thrown.
+// to first order, and all of it at most as far as arms of 10 m move; what that leaves is the next step's. Small errors keep their velocity: below kSlow nobody is thrown.
 #pragma once
 
 #include "step/island/problem/assemble.h"

@@ -341,6 +341,7 @@ class Assembly {
         if (arena_.failed() || !mark_parts(arena_, work_)) return false;
         if (form_.has_substeps && !place_wrenches(arena_, work_)) return false;
         end_bodies(tasks);
+        if (work_.correction < 1) correct_less();
         const Real fps = 1 / h_;
         for (const RowBlock& block : system_.blocks)
             for (int i = block.first; i < block.first + block.count; ++i)
@@ -352,6 +353,12 @@ class Assembly {
     }
 
   private:
+    void correct_less()
+    {
+        for (Row& row : system_.rows)
+            if (!row.drive && !row.given) row.erp *= work_.correction;
+    }
+
     World& world_;
     const Real h_;
     const ProblemForm& form_;
