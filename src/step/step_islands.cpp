@@ -2,8 +2,11 @@
 // Copyright (c) 2026 The Epode authors
 #include "step/step_islands.h"
 
+#include <algorithm>
+
 #include "joints/breaking.h"
 #include "step/island/containment.h"
+#include "step/island/displacement.h"
 #include "step/island/report.h"
 #include "step/steppers/stepper.h"
 
@@ -35,11 +38,11 @@ StepContext without_impulses(const StepContext& c)
     return context;
 }
 
-// After bodies were thrown with a share of the corrections, with none.
+// After bodies were thrown with a share of the corrections, with none. Contacts are noted, and begin without impulses.
 StepContext with_less_correction(const StepContext& c, Real share)
 {
     StepContext context = with_stepper(c, c.stepper, c.iterations);
-    context.diverged = c.diverged;
+    context.diverged = std::max(c.diverged, 1);
     context.correction = c.correction == 1 ? share : 0;
     return context;
 }
@@ -112,6 +115,7 @@ bool step_islands(const StepContext& context, std::span<const Island> islands, I
             return step_again(context, correction, islands.front(), place, tasks, arena, records);
         contain_island(run);
     }
+    if (outcome == Outcome::kMade) set_displaced_aside(run);
     if (run.ledger.wanted()) run.ledger.end();
     for (std::size_t i = 0; i < reports.size(); ++i) end_report(context.world, islands[i], reports[i]);
     return step_those_aside(run, islands, records) && !arena.failed();

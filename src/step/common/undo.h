@@ -43,6 +43,7 @@ class StepUndo {
         return std::size_t(piece.data() - bodies_.data());
     }
     Pose pose_before(std::size_t i) const { return {saved_[i].position, saved_[i].rotation}; }
+    Vec3 velocity_before(std::size_t i) const { return saved_[i].velocity; }
     Quat orientation_before(std::size_t i) const { return saved_[i].orientation; }
 
   private:

@@ -216,6 +216,35 @@ SolutionEnergy judge_energy(const IslandWork& work, int part, Real h, const Task
     return energy;
 }
 
+double asked_by_errors(const IslandWork& work, int part, Real h)
+{
+    const RowSystem& system = work.system;
+    const SystemPart from = system.begin_of(part), to = system.end_of(part);
+    Supply sum;
+    for (int k = from.blocks; k < to.blocks; ++k) {
+        const RowBlock& block = system.blocks[std::size_t(k)];
+        for (int i = block.first; i < block.first + block.count; ++i) {
+            const Row& row = system.rows[std::size_t(i)];
+            if (row.kind != RowKind::kFriction) sum.add_correction(row, 0, double(row.error / h));
+        }
+    }
+    for (int k = from.joint_manifolds; k < to.joint_manifolds; ++k) {
+        const JointManifold& m = system.joint_contacts.manifolds[std::size_t(k)];
+        for (int i = m.first; i < m.first + m.count; ++i) {
+            const double depth = std::max(double(system.joint_contacts.points[std::size_t(i)].error), 0.0);
+            sum.linear += depth * depth / double(h * h);
+        }
+    }
+    for (int k = from.contact_manifolds; k < to.contact_manifolds; ++k) {
+        const ContactManifold& m = *system.contact_manifolds[std::size_t(k)];
+        for (int i = 0; i < m.count; ++i) {
+            const double depth = std::min(double(m.points[i].separation), 0.0);
+            sum.linear += depth * depth / double(h * h);
+        }
+    }
+    return asked_by_corrections(whole_of(work, from.bodies, to.bodies), sum);
+}
+
 Motion motion_of(const IslandWork& work)
 {
     Motion sum;

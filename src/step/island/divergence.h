@@ -39,6 +39,9 @@ struct SolutionEnergy {
 // After the solution and before the bodies get its velocities.
 SolutionEnergy judge_energy(const IslandWork& work, int part, Real h, const Tasks& tasks, Arena& arena);
 
+// Twice the energy of all bodies of a part at the velocities that would remove all errors of positions in a step of h.
+double asked_by_errors(const IslandWork& work, int part, Real h);
+
 // Kinetic energy and mass of an island's bodies with the velocities of its solution.
 struct Motion {
     double energy = 0, mass = 0;

@@ -75,14 +75,20 @@ void advance_and_close_stops(IslandRun& run, bool closes_stops)
             [&] { close_stops(run.world, run.work, solve_stops_exactly, run.tasks, run.arena); });
 }
 
+// Poses that corrections have carried away are moved by velocities alone.
+bool projects_poses(const IslandRun& run)
+{
+    return run.world.projection_iterations > 0 && run.context.correction == 1;
+}
+
 Outcome step_once(IslandRun& run)
 {
     IslandWork& work = run.work;
-    const bool projects = run.world.projection_iterations > 0;
+    const bool projects = projects_poses(run), may_move = run.context.correction == 1;
     if (!run.begin(form_in(run.world), run.context.h)) return Outcome::kNoMemory;
     if (!run.raise_inertias(work.system.h, kResolvedExactly)) return Outcome::kNoMemory;
     if (projects) leave_depth_to_projection(run.world, work);
-    const bool closes_stops = !projects && leave_stops_to_poses(run.world, work.system);
+    const bool closes_stops = !projects && may_move && leave_stops_to_poses(run.world, work.system);
     load_warm_start(run, {});
     const bool solved = solve_in_budget(run);
     if (run.arena.failed()) return Outcome::kNoMemory;
@@ -129,7 +135,8 @@ Outcome step_in_exact_substeps(IslandRun& run)
 
 Outcome step_exactly(IslandRun& run)
 {
-    return run.world.exact_substeps > 1 ? step_in_exact_substeps(run) : step_once(run);
+    return run.world.exact_substeps > 1 && run.context.correction == 1 ? step_in_exact_substeps(run)
+                                                                       : step_once(run);
 }
 
 bool has_many_joints(const Island& island) { return int(island.joints.size()) >= kLarge; }

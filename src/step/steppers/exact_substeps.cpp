@@ -210,7 +210,6 @@ bool ExactSubsteps::next(const ExactSettings& settings, IslandWork& work, bool& 
 {
     load_forces();
     work.island = island_;
-    work.correction = run_.work.correction;
     if (!assemble(world_, hs_, form_, Tasks(1), arena_, work, nullptr)) return false;
     limit_default_softness(world_, hs_, work.system);
     carry_contacts(first_, work);
