@@ -115,7 +115,7 @@ bool step_islands(const StepContext& context, std::span<const Island> islands, I
             return step_again(context, correction, islands.front(), place, tasks, arena, records);
         contain_island(run);
     }
-    if (outcome == Outcome::kMade) set_displaced_aside(run);
+    if (outcome == Outcome::kMade) set_displaced_aside(run, context.stepper.iterates);
     if (run.ledger.wanted()) run.ledger.end();
     for (std::size_t i = 0; i < reports.size(); ++i) end_report(context.world, islands[i], reports[i]);
     return step_those_aside(run, islands, records) && !arena.failed();

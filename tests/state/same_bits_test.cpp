@@ -25,22 +25,22 @@ struct Golden {
     std::uint64_t saved, later;
 };
 
-constexpr Golden kGolden[2][8] = {{{0x357853af5f3e8a0f, 0x15d8302b97ba88c7},
-                                   {0xe05d1ba6d287604c, 0x3fa5d91f0dacda74},
-                                   {0x58a02f1cac5407a2, 0x86660d02beab13eb},
-                                   {0x7f49a401ab7d3eb0, 0x4196658b1e735995},
-                                   {0x24086652d3f05001, 0xd0e3900b068f371b},
-                                   {0xd10e4193131c6694, 0x9008f935f1b0ce4d},
-                                   {0x67bacff6c1a6190c, 0x4ed71faa7e112214},
-                                   {0x7988c4a09d623dfe, 0x233a5f325fa8a00d}},
-                                  {{0x5bd7820f4a5c8cb0, 0x3902e627b17d1673},
-                                   {0xad047417bd0e6c07, 0x5877d84cef7e2911},
-                                   {0x1bc18893bb169c8d, 0x74bd079bbdc43b77},
-                                   {0x79860f8a2db02494, 0xa108796d30ec758b},
-                                   {0xfcededce350817e9, 0xdf8fe72d3cb6d598},
-                                   {0x7b490f75813de36c, 0x65d786e4db354897},
-                                   {0x0411f549551f6618, 0x8d633525ad94c354},
-                                   {0xab5186cbbddcfbb5, 0xb46d4e5f707b2430}}};
+constexpr Golden kGolden[2][8] = {{{0x1f7fba8718db835e, 0x23d270493dbf1cde},
+                                   {0xfd3d859e5686b9e1, 0x294ec6242694c221},
+                                   {0x7dd6a6babdf0aabf, 0xf5b34ef8dc15366e},
+                                   {0x2ed00dfdc7f2a7b9, 0xe8a89aa102d8159c},
+                                   {0xbb373b17c1917848, 0x61e56455d813a82a},
+                                   {0x42cfe3509fde1949, 0x55eb9608f89022d8},
+                                   {0xb614de0cbce498f5, 0x29314059a89bec85},
+                                   {0xcb85957d4a7de7eb, 0xf61845e3403272f8}},
+                                  {{0x95695dc78ac37a41, 0x229236e5200b7a64},
+                                   {0x7e9afe47596ab850, 0x0739e0271be7a313},
+                                   {0x86f0d27ce90e8550, 0xd734b6472423e6a1},
+                                   {0xdb76723abbc61944, 0xfe3993a79cdefcbd},
+                                   {0xf161aaf91697ff90, 0x0e00cedb474fa629},
+                                   {0x70a4927ae0d9c765, 0x268f3e177edf7207},
+                                   {0x5b69534ec6df6e04, 0x970dbfa848fc022a},
+                                   {0x08c1f342029ff18b, 0x145a6a871c529ce9}}};
 
 class SameBits : public testing::TestWithParam<int> {};
 

@@ -25,7 +25,7 @@ constexpr Version kVersions[] = {{"version_1_double.epw", 10759680517372415681u}
 #else
 constexpr Version kVersions[] = {{"version_1_single.epw", 8616090432479375917u},
                                  {"version_2_single.epw", 8616090432479375917u},
-                                 {"version_4_single.epw", 1u}};
+                                 {"version_4_single.epw", 17604204150645906243u}};
 #endif
 
 std::uint64_t hash_of_motion(dWorldID world)

@@ -3,19 +3,17 @@
 #include "step/island/displacement.h"
 
 #include "step/island/divergence.h"
-#include "step/steppers/stepper.h"
+#include "step/island/positions/solved_motion.h"
 
 namespace epode {
 namespace {
-
-constexpr double kCorrecting = 3;  // m/s, as in divergence.cpp
 
 struct Displacement {
     double moved = 0, moving = 0, mass = 0;  // sums of m u^2, m (v0^2 + v1^2) and m
 
     bool is_far(double asked) const
     {
-        return moved > 2 * (moving + mass * kCorrecting * kCorrecting + asked);
+        return moved > 2 * (moving + mass * double(kCorrecting * kCorrecting) + asked);
     }
 };
 
@@ -45,10 +43,9 @@ bool is_displaced(const IslandRun& run, int part)
 
 }  // namespace
 
-void set_displaced_aside(IslandRun& run)
+void set_displaced_aside(IslandRun& run, bool iterates)
 {
     if (run.world.acts_as_ode() || run.context.correction < 1) return;
-    const bool iterates = run.context.stepper.iterates;
     if (iterates && !run.may_try_again) return;
     for (int part = 0; part < run.work.system.worlds(); ++part)
         if (!run.is_free(part) && !run.set_aside[std::size_t(part)].is && is_displaced(run, part))

@@ -15,8 +15,8 @@
 
 namespace epode {
 
-// After a step that was made: parts that have been carried away are set aside, to be stepped in another way. Sweeps as those that have
+// After a step that was made: parts that have been carried away are set aside, to be stepped in another way. Those of a stepper that iterates as those that have
 // diverged; exact solutions without moving poses but by velocities.
-void set_displaced_aside(IslandRun& run);
+void set_displaced_aside(IslandRun& run, bool iterates);
 
 }  // namespace epode

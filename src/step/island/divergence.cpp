@@ -5,19 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "step/island/positions/solved_motion.h"
 #include "tasks/prefetched.h"
 
 namespace epode {
 namespace {
-
-constexpr Real kCorrecting = 3;  // m/s, as in solve/common/substep_rows.h
-
-bool moves_by_itself(const SolverBody& body) { return !(body.inv_mass > 0); }
-
-double kinetic_of(const Body& body, Vec3 v, Vec3 w_local)
-{
-    return 0.5 * (double(body.mass.mass) * double(length2(v)) + double(dot(w_local, body.inertia * w_local)));
-}
 
 struct PartMotion {
     double solved = 0, forced = 0, mass = 0;
@@ -243,24 +235,6 @@ double asked_by_errors(const IslandWork& work, int part, Real h)
         }
     }
     return asked_by_corrections(whole_of(work, from.bodies, to.bodies), sum);
-}
-
-Motion motion_of(const IslandWork& work)
-{
-    Motion sum;
-    for (std::size_t i = 0; i < work.system.bodies.size(); ++i) {
-        const SolverBody& solved = work.system.bodies[i];
-        if (moves_by_itself(solved)) continue;
-        const Body& body = *work.island.bodies[i];
-        sum.energy += kinetic_of(body, solved.v, transposed_times(body.rotation(), solved.w));
-        sum.mass += double(body.mass.mass);
-    }
-    return sum;
-}
-
-bool is_thrown(const Motion& before, const Motion& after)
-{
-    return after.energy > 2 * before.energy + before.mass * double(kCorrecting * kCorrecting);
 }
 
 }  // namespace epode

@@ -42,12 +42,4 @@ SolutionEnergy judge_energy(const IslandWork& work, int part, Real h, const Task
 // Twice the energy of all bodies of a part at the velocities that would remove all errors of positions in a step of h.
 double asked_by_errors(const IslandWork& work, int part, Real h);
 
-// Kinetic energy and mass of an island's bodies with the velocities of its solution.
-struct Motion {
-    double energy = 0, mass = 0;
-};
-Motion motion_of(const IslandWork& work);
-// Is it more than what corrections of positions may make of `before`, by the bound above?
-bool is_thrown(const Motion& before, const Motion& after);
-
 }  // namespace epode

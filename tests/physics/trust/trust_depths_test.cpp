@@ -18,10 +18,10 @@ namespace {
 constexpr dReal kFar = sizeof(dReal) == 8 ? dReal(1e99) : dReal(1e17);
 constexpr double kExact = sizeof(dReal) == 8 ? 1e-12 : 1e-5;
 
-std::vector<dContactGeom> collided(dGeomID a, dGeomID b, int most)
+std::vector<dContactGeom> collided(dGeomID a, dGeomID b, int capacity)
 {
-    std::vector<dContactGeom> out(static_cast<std::size_t>(most));
-    out.resize(static_cast<std::size_t>(dCollide(a, b, most, out.data(), sizeof(dContactGeom))));
+    std::vector<dContactGeom> out(static_cast<std::size_t>(capacity));
+    out.resize(static_cast<std::size_t>(dCollide(a, b, capacity, out.data(), sizeof(dContactGeom))));
     return out;
 }
 
@@ -88,8 +88,7 @@ TEST(TrustDepths, the_best_four_contacts_with_a_mesh_have_the_deepest)
     std::vector<double> v;
     std::vector<dTriIndex> t;
     for (int i = 0; i < 5; ++i)
-        for (int j = 0; j < 5; ++j)
-            v.insert(v.end(), {double(i - 2), double(j - 2), 0});
+        for (int j = 0; j < 5; ++j) v.insert(v.end(), {double(i - 2), double(j - 2), 0});
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) {
             const auto a = dTriIndex(i * 5 + j);

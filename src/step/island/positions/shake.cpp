@@ -8,8 +8,8 @@
 #include "rows/policy.h"
 #include "solve/exact/equalities.h"
 #include "solve/solver.h"
-#include "step/island/divergence.h"
 #include "step/island/positions/position_rows.h"
+#include "step/island/positions/solved_motion.h"
 
 namespace epode {
 namespace {
@@ -60,7 +60,7 @@ class Shake {
     bool run()
     {
         bool changed = false;
-        const Motion solved = motion_of(work_);
+        const SolvedMotion solved = solved_motion(work_);
         save_solution();
         go();
         for (int i = 0; i < kMaxIterations && worst_ <= kLongestTurn && (i == 0 || !is_enough()); ++i) {
@@ -71,7 +71,7 @@ class Shake {
             changed = true;
         }
         if (changed) hold_velocities();
-        if (changed && is_thrown(solved, motion_of(work_))) return take_back(), false;
+        if (changed && is_thrown(solved, solved_motion(work_))) return take_back(), false;
         return changed;
     }
 
