@@ -37,7 +37,8 @@ extern "C" {
       then be null.
 
     Refused: a world or geom that is 0 or destroyed; null pointers; numbers that are not finite; what each
-    function names; [dWorldSetContactSpace, dWorldSetContactFilter] a call during a step. Nothing changes
+    function names; [dWorldSetContactSpace,
+    dWorldSetContactFilter, dWorldSetManifoldFunction] a call during a step. Nothing changes
     then, and the answer is 0. */
 
 /** - dWorldSetContactSpace: Let the world find and solve the contacts between the geoms of a space; 0, the
@@ -99,6 +100,39 @@ typedef int dContactFilter(void* data, dGeomID o1, dGeomID o2);
 /** Sets a function that rejects pairs, called with the given data; filter 0: none. The thread that steps
     calls it, in the order of the pairs. It must not change the space or the world. [ours] */
 ODE_API void dWorldSetContactFilter(dWorldID world, dContactFilter* filter, void* data);
+
+/** One contact manifold for the coming step: points of two geoms with one normal. A function of the program
+    changes what begins with accept, for this step alone; the rest is for it to read. What it sets to numbers
+    that no dMaterial may have stays as the materials say. Its fields only grow at the end. */
+typedef struct dManifold {
+    unsigned struct_size;      /**< of the library's dManifold */
+    dGeomID g1;                /**< has a body */
+    dGeomID g2;                /**< the other one */
+    int touched;               /**< 1: the two touched in the last step, too */
+    int count;                 /**< how many points, 1 ... 4 */
+    dVector3 pos[4];           /**< of the points, world, m */
+    dReal depth[4];            /**< of the points, m; below 0: a gap that the step may close */
+    dVector3 normal;           /**< unit, into g1 */
+    dVector3 velocity;         /**< of g1 against g2 at the mean of the points, m/s */
+    int accept;                /**< 0: the two pass through each other here. 1 */
+    dReal friction;            /**< coefficient; infinity: it does not slide */
+    dReal bounce;              /**< restitution, 0 ... 1 */
+    dReal bounce_speed;        /**< slower approaches do not rebound, m/s */
+    dReal rolling_friction;    /**< m */
+    dReal compliance;          /**< of each point, m/N; 0: rigid */
+    dReal damping_time;        /**< of a compliant point, s */
+    dVector3 surface_velocity; /**< velocity of g1 against g2 that friction aims at, world, m/s */
+} dManifold;
+
+/** Sees every manifold of the world in every step, before it is solved, and may change it. data is the
+    program's. It must not change the space or the world, and depend on nothing that steps change. */
+typedef void dManifoldFunction(void* data, dManifold* manifold);
+
+/** Sets a function that sees, changes and rejects the manifolds of each step, called with the given data;
+    function 0: none. threads 0: the thread that steps calls it, in the order of the pairs; 1: any thread of
+    the world may, several at once, and results do not depend on which. Files have no functions. Refused:
+    other threads. [ours] */
+ODE_API void dWorldSetManifoldFunction(dWorldID world, dManifoldFunction* function, void* data, int threads);
 
 /** What has happened to a pair in the last step. */
 typedef enum {

@@ -168,6 +168,11 @@ class dWorldExt : public dWorld {
     {
         dWorldSetContactFilter(get_id(), filter, data);
     }
+    /** dWorldSetManifoldFunction. */
+    void setManifoldFunction(dManifoldFunction* function, void* data, int threads)
+    {
+        dWorldSetManifoldFunction(get_id(), function, data, threads);
+    }
     int getContactEvents(dContactEvent* events, int capacity) const
     {
         return dWorldGetContactEvents(get_id(), events, capacity);

@@ -292,6 +292,7 @@ LEFT_OUT = {
     r"d(BoxBox|InfiniteAABB)": "helpers of colliders in C: dCollide does it",
     r"dGeomMoved|dBodyGetMovedCallback": "the library sees every move from Python",
     r"d(Init|Close|Cleanup|Allocate)ODE\w*": "done once when the module is imported",
+    r"dWorldSetManifoldFunction": "a Python call for each manifold of each step",
     r"dCharacter\w+|dGeomIsCharacter": "characters have no class in Python yet",
 }
 

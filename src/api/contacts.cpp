@@ -54,6 +54,18 @@ void dWorldSetContactFilter(dWorldID w, dContactFilter* filter, void* data)
     state->world_contacts.filter_data = data;
 }
 
+void dWorldSetManifoldFunction(dWorldID w, dManifoldFunction* function, void* data, int threads)
+{
+    EPODE_WORLD_OR();
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world));
+    EPODE_USER(threads == 0 || threads == 1);
+    StepState* state = step_state(*world);
+    EPODE_USER_SAY(state, "out of memory");
+    ContactWorld& contacts = state->world_contacts;
+    contacts.function = function, contacts.function_data = data;
+    contacts.function_on_threads = threads == 1;
+}
+
 int dGeomSetMaterial(dGeomID g, const dMaterial* material)
 {
     EPODE_GEOM(geom, g, 0);

@@ -63,6 +63,7 @@ struct ContactPair {
     bool touched : 1 = false;  // in the step before
     bool on_mesh : 1 = false;  // a solid and a mesh
     bool tied : 1 = false;     // by a joint that is no contact
+    bool shown : 1 = false;    // to the program's function of manifolds, in this step
 };
 static_assert(sizeof(ContactPair) <= kCacheLine);
 

@@ -99,6 +99,7 @@ bool ContactWorld::update(const World& world, Space& in, Real h, const Tasks& ta
     floor_ = 0, has_seams_ = false;
     collide_pairs(world, h, tasks);
     if (has_seams_ && !drop_hidden_contacts()) return false;
+    show_manifolds(tasks);
     brought_ = last_.pairs.size();
     return true;
 }

@@ -53,6 +53,9 @@ class ContactWorld {
     dSpaceID space = nullptr;
     dContactFilter* filter = nullptr;
     void* filter_data = nullptr;
+    dManifoldFunction* function = nullptr;  // of the program, for each manifold of a step
+    void* function_data = nullptr;
+    bool function_on_threads = false;
 
     // Would update() find what it found in the last step, given that all bodies sleep? Nobody was awake then,
     // and nothing has happened to the space since.
@@ -76,6 +79,8 @@ class ContactWorld {
     // memory.
     [[nodiscard]] bool bring_pairs(const Body& body, Array<Body*>& reached);
     [[nodiscard]] bool list_brought(const World& world);
+    // Shows the manifolds that it has not seen in this step to the program's function (contacts/manifold_function.cpp).
+    void show_manifolds(const Tasks& tasks);
     // The touching manifolds of what has been found, in order.
     [[nodiscard]] bool touching(const Tasks& tasks, Arena& arena, std::span<ManifoldEdge>& out);
     // The step is done: what it found is what the next one starts from. `h`: its length.

@@ -155,13 +155,20 @@ void WorldStructure::visit_contacts()
     dContactFilter* filter = from ? from->filter : nullptr;
     void* data = from ? from->filter_data : nullptr;
     stream_.geom(space), stream_.pointer(filter), stream_.pointer(data);
-    if (stream_.saves() || stream_.failed() || (!space && !filter)) return;
+    dManifoldFunction* function = from ? from->function : nullptr;
+    void* function_data = from ? from->function_data : nullptr;
+    static char yes;  // its address: the function is called by any thread
+    char* on_threads = from && from->function_on_threads ? &yes : nullptr;
+    stream_.pointer(function), stream_.pointer(function_data), stream_.pointer(on_threads);
+    if (stream_.saves() || stream_.failed() || (!space && !filter && !function)) return;
     if (!stream_.demand(!space || is_space(*space), "its contact space is a geom that is no space")) return;
     StepState* const kept = step_state(*world_);
     if (!stream_.demand(kept, kOutOfMemory)) return;
     kept->world_contacts.space = space ? id_of(static_cast<Space*>(space)) : nullptr;
     world_->manages_contacts = space != nullptr;
     kept->world_contacts.filter = filter, kept->world_contacts.filter_data = data;
+    kept->world_contacts.function = function, kept->world_contacts.function_data = function_data;
+    kept->world_contacts.function_on_threads = on_threads != nullptr;
 }
 
 // Transforms first let go what they hold, so that each geom is destroyed once.

@@ -75,7 +75,9 @@ bool calls_program(World& world)
         if (calls_program(body)) return true;
     const ContactWorld* contacts = world_contacts(world);
     if (!contacts && !any_continuous()) return false;
-    if (any_overridden() || (contacts && contacts->filter)) return true;
+    if (any_overridden() ||
+        (contacts && (contacts->filter || (contacts->function && !contacts->function_on_threads))))
+        return true;
     if (contacts && calls_program_inside(*contacts->live_space())) return true;
     if (!any_continuous()) return false;
     bool calls = false;

@@ -88,6 +88,8 @@ struct Ground {
     }
 };
 
+void pass_through(void*, dManifold* manifold) { manifold->accept = 0; }
+
 void test_contacts()
 {
     Ground ground;
@@ -131,6 +133,12 @@ void test_contacts()
     world.setContactFilter(reject_all, &asked);
     world.stepHybrid(REAL(0.01));
     judge("dWorldExt::setContactFilter", asked == 1 && world.getContacts(points, 4) == 0, Numbers());
+    world.setContactFilter(0, 0);
+    world.setContactSpace(0);
+    world.setContactSpace(ground.space);
+    world.setManifoldFunction(pass_through, 0, 0);
+    world.stepHybrid(REAL(0.01));
+    judge("dWorldExt::setManifoldFunction", world.getContacts(points, 4) == 0, Numbers());
     world.setDiagnosisMode(1);
     ground.body.addForce(0, 0, REAL(1e12));
     world.stepHybrid(REAL(0.01));

@@ -13,6 +13,8 @@ Hooks g_hooks;
 
 void near_nothing(void*, dGeomID, dGeomID) { g_hooks.near.run(); }
 void moved_nothing(dBodyID) { g_hooks.moved.run(); }
+void same_manifold(void*, dManifold*) {}
+
 dReal flat_sea(void*, const dVector3, dReal) { return 0; }
 
 void no_current(void*, const dVector3, dReal, dVector3) {}

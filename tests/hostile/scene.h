@@ -21,6 +21,7 @@ inline bool is_handle(Kind kind) { return int(kind) < kHandleKinds; }
 // Functions of the program that behave.
 void near_nothing(void*, dGeomID, dGeomID);
 dReal flat_height(void*, int, int);
+void same_manifold(void*, dManifold*);
 dReal flat_sea(void*, const dVector3, dReal);
 void no_current(void*, const dVector3, dReal, dVector3);
 int no_contacts(dGeomID, dGeomID, int, dContactGeom*, int);

@@ -127,6 +127,7 @@ enum class Kind {
     kFluidSurface,
     kFluidCurrent,
     kContactFilter,
+    kManifoldFunction,
     kCollider,
     kMovedCallback,
     kReadyCallback,

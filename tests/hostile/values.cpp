@@ -53,6 +53,8 @@ void (*function_of(Kind kind))()
             return reinterpret_cast<void (*)()>(any_pair);
         case Kind::kHeightCallback:
             return reinterpret_cast<void (*)()>(flat_height);
+        case Kind::kManifoldFunction:
+            return reinterpret_cast<void (*)()>(same_manifold);
         case Kind::kFluidSurface:
             return reinterpret_cast<void (*)()>(flat_sea);
         case Kind::kFluidCurrent:
