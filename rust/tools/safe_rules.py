@@ -21,6 +21,7 @@ LEFT_OUT = {
     r"dWorld(SetStepThreadingImplementation|UseSharedWorkingMemory|SetStepMemory\w+)": "pointers to functions that the world would keep",
     r"dWorld[GS]etData": "the crate keeps a world's tables there",
     r"dWorldExportDIF": "writes to a C FILE",
+    r"dWorldSetManifoldFunction": "functions that threads call have no safe form yet",
     r"dWorldGet(NumFluids|Fluid)|dBodyGetFluidForce": "fluids have no type in the crate yet",
     r"dBodyCopy\w+|dGeomCopy\w+": "the getters copy",
     r"dGeom(TriMesh(Set|Get)\w*Callback|TriMeshSetData|TriMeshGetData|TriMeshGetTriMeshDataID|HeightfieldSetHeightfieldData"

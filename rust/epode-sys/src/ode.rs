@@ -183,6 +183,9 @@ pub type dCharacterFilter = Option<unsafe extern "C" fn(*mut c_void, dGeomID, dG
 /// Decides whether two geoms may touch: not if it returns 0. It is called once when they come near each
 /// other, and again when they have been apart.
 pub type dContactFilter = Option<unsafe extern "C" fn(*mut c_void, dGeomID, dGeomID) -> c_int>;
+/// Sees every manifold of the world in every step, before it is solved, and may change it. data is the
+/// program's. It must not change the space or the world, and depend on nothing that steps change.
+pub type dManifoldFunction = Option<unsafe extern "C" fn(*mut c_void, *mut dManifold)>;
 /// Make Mutex\_count mutexes, 1 to 65536, which need not be recursive. Mutex\_names\_ptr: as many names for
 /// debugging, or NULL. Returns NULL on failure.
 pub type dMutexGroupAllocFunction = Option<unsafe extern "C" fn(dThreadingImplementationID, dmutexindex_t, *const *const c_char) -> dMutexGroupID>;
@@ -978,6 +981,47 @@ pub struct dMaterial {
     pub rolling_friction_rule: c_int,
     /// the geom of the larger one says friction, bounce and rolling friction alone. 0
     pub priority: c_int,
+}
+/// One contact manifold for the coming step: points of two geoms with one normal. A function of the program
+/// changes what begins with accept, for this step alone; the rest is for it to read. What it sets to numbers
+/// that no dMaterial may have stays as the materials say. Its fields only grow at the end.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dManifold {
+    /// of the library's dManifold
+    pub struct_size: c_uint,
+    /// has a body
+    pub g1: dGeomID,
+    /// the other one
+    pub g2: dGeomID,
+    /// 1: the two touched in the last step, too
+    pub touched: c_int,
+    /// how many points, 1 ... 4
+    pub count: c_int,
+    /// of the points, world, m
+    pub pos: [dVector3; 4],
+    /// of the points, m; below 0: a gap that the step may close
+    pub depth: [dReal; 4],
+    /// unit, into g1
+    pub normal: dVector3,
+    /// of g1 against g2 at the mean of the points, m/s
+    pub velocity: dVector3,
+    /// 0: the two pass through each other here. 1
+    pub accept: c_int,
+    /// coefficient; infinity: it does not slide
+    pub friction: dReal,
+    /// restitution, 0 ... 1
+    pub bounce: dReal,
+    /// slower approaches do not rebound, m/s
+    pub bounce_speed: dReal,
+    /// m
+    pub rolling_friction: dReal,
+    /// of each point, m/N; 0: rigid
+    pub compliance: dReal,
+    /// of a compliant point, s
+    pub damping_time: dReal,
+    /// velocity of g1 against g2 that friction aims at, world, m/s
+    pub surface_velocity: dVector3,
 }
 /// One pair in one step. Elements of arrays, such as this, dWorldContact and dQueryHit, have no
 /// struct\_size: their fields never change, and what may be added one day gets functions of its own.
@@ -2142,6 +2186,11 @@ extern "C" {
     /// Sets a function that rejects pairs, called with the given data; filter 0: none. The thread that steps
     /// calls it, in the order of the pairs. It must not change the space or the world.
     pub fn dWorldSetContactFilter(world: dWorldID, filter: dContactFilter, data: *mut c_void);
+    /// Sets a function that sees, changes and rejects the manifolds of each step, called with the given data;
+    /// function 0: none. threads 0: the thread that steps calls it, in the order of the pairs; 1: any thread of
+    /// the world may, several at once, and results do not depend on which. Files have no functions. Refused:
+    /// other threads.
+    pub fn dWorldSetManifoldFunction(world: dWorldID, function: dManifoldFunction, data: *mut c_void, threads: c_int);
     /// Copies the events of the last step, at most capacity of them, to events. Pairs that the step has updated
     /// come first, in the order in which their geoms were created; then pairs at rest, in an order that depends
     /// on the program's calls alone. A pair that ends because a geom is destroyed or taken out of the space has
