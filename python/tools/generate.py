@@ -230,7 +230,7 @@ def main():
     structs, codes, coverage = {"#names": all_structs["#names"]}, [], {}
     bound_structs, stubs, texts_of_written = [], [], []
     for name, fields in all_structs.items():
-        if name == "#names" or name.startswith(("dWorldStepReserve", "dWorldStepMemory", "dThreadingF", "dThreaded", "dGeomClass", "dStopwatch")):
+        if name == "#names" or name.startswith(("dWorldStepReserve", "dWorldStepMemory", "dThreadingF", "dThreaded", "dGeomClass", "dStopwatch", "dManifold")):
             continue
         try:
             bound_structs.append(structure_code(name, fields, all_structs))
