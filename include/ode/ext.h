@@ -23,6 +23,7 @@
 #include <ode/state.h>
 #include <ode/step_options.h>
 #include <ode/steppers.h>
+#include <ode/vehicle.h>
 #include <ode/world_file.h>
 
 #endif

@@ -11,6 +11,7 @@
 #include "dynamics/active.h"
 #include "dynamics/joint.h"
 #include "dynamics/sleep/sleeping_forces.h"
+#include "dynamics/vehicle.h"
 #include "dynamics/world.h"
 
 namespace epode {
@@ -53,7 +54,7 @@ Body::Body(World& w) : Numbered(Tag::kBody), world(&w), mass(unit_mass())
     idle_time_left = sleep.time;
 }
 
-Body::~Body() = default;
+Body::~Body() { drop_vehicle(*this); }
 
 Body* create_body(World& world)
 {

@@ -20,6 +20,7 @@ struct World;
 struct Joint;
 struct JointNode;
 struct ManifoldEdge;
+struct Vehicle;
 struct Body;
 
 // When a body may fall asleep; thresholds are kept squared, as they are compared.
@@ -130,6 +131,7 @@ struct Body : Numbered {
     std::uint64_t put_down = 0;   // when the program has disabled it: a number as of disturbances
     ForcedLink forced;
     BodyInFluid fluid;
+    Vehicle* vehicle = nullptr;  // what makes it one (dynamics/vehicle.h); null: it is none
 
     Pose pose() const { return load_pose(pos, R); }
     Vec3 position() const { return load(pos); }

@@ -12,6 +12,7 @@
 #include "dynamics/body_state.h"
 #include "dynamics/fluid.h"
 #include "dynamics/joint_state.h"
+#include "dynamics/vehicle.h"
 #include "step/common/link.h"
 
 namespace epode {
@@ -22,6 +23,7 @@ constexpr std::uint32_t kSeeded = 1;      // of the flags: the seed of dRand fol
 constexpr std::uint32_t kCharacters = 2;  // geoms are characters
 constexpr std::uint32_t kFluids = 4;      // the world has fluids
 enum FluidBit : std::uint8_t { kWet = 1, kFloats = 2, kRestless = 4 };
+constexpr std::uint32_t kVehicles = 8;  // bodies are vehicles
 
 enum GeomBit : std::uint8_t {
     kEnabled = 1,
@@ -135,7 +137,7 @@ bool WorldState::save(StateStream& stream)
     const Counts counts{structure_.hash(), std::uint32_t(structure_.bodies()),
                         std::uint32_t(structure_.joints()), std::uint32_t(structure_.geoms()),
                         (seeded ? kSeeded : 0) | (has_characters() ? kCharacters : 0) |
-                            (world_.fluids.empty() ? 0 : kFluids)};
+                            (world_.fluids.empty() ? 0 : kFluids) | (count_vehicles() > 0 ? kVehicles : 0)};
     const auto put = [&](const void* from, std::size_t size) {
         if (std::byte* to = stream.block(size); to && size > 0) std::memcpy(to, from, size);
     };
@@ -144,6 +146,7 @@ bool WorldState::save(StateStream& stream)
     (void)stream.long_word(world_.step_count);
     if (seeded) (void)stream.word(ProcessRandom::state());
     visit_fluids(stream, counts.flags & kFluids);
+    visit_vehicles(stream, counts.flags & kVehicles);
     save_objects(stream);
     kept_->contacts.save(bodies_, stream);
     return kept_->world_contacts.save(world_, geoms_, stream);
@@ -214,12 +217,53 @@ void WorldState::visit_fluids(StateStream& stream, bool has)
     }
 }
 
+int WorldState::count_vehicles() const
+{
+    const auto all = bodies_.all();
+    return int(std::count_if(all.begin(), all.end(), [](const Body* body) { return body->vehicle; }));
+}
+
+// The geom that something stands on: its number plus 1, or 0 if it is not in the state.
+std::uint32_t WorldState::visit_ground(dGeomID ground, StateStream& stream, const char* text)
+{
+    const Geom* const geom = stream.saves() ? from_handle<Geom>(ground) : nullptr;
+    const int known = geom ? geoms_.find(*geom) : -1;
+    return stream.index(std::uint32_t(known + 1), std::uint32_t(geoms_.count()) + 1, text);
+}
+
+void WorldState::visit_vehicle(Vehicle& vehicle, StateStream& stream)
+{
+    std::uint32_t grounds[dVehicleMaxWheels] = {};
+    for (int i = 0; i < vehicle.wheel_count; ++i)
+        grounds[i] = visit_ground(vehicle.wheels[i].ground, stream, "the ground of a wheel is not there");
+    state_of_vehicle(vehicle, stream);
+    for (int i = 0; i < vehicle.wheel_count && stream.stores(); ++i)
+        vehicle.wheels[i].ground = grounds[i] > 0 ? to_handle(&geoms_[int(grounds[i]) - 1]) : nullptr;
+}
+
+void WorldState::visit_vehicles(StateStream& stream, bool has)
+{
+    constexpr const char* kAnother =
+        "a body of the state is a vehicle and in the world it is none, or is one and was none";
+    const auto count = std::uint32_t(count_vehicles());
+    if (!stream.demand(has == (count > 0), kAnother) || !has) return;
+    if (!stream.demand(stream.word(count) == count, kAnother)) return;
+    for (Body* body : bodies_.all()) {
+        if (!body->vehicle) continue;
+        const auto wheels = std::uint32_t(body->vehicle->wheel_count);
+        const auto number = std::uint32_t(bodies_.find(body->serial));
+        if (!stream.demand(stream.word(number) == number && stream.word(wheels) == wheels, kAnother)) return;
+        visit_vehicle(*body->vehicle, stream);
+    }
+}
+
 void WorldState::load(StateStream& stream, std::uint32_t flags)
 {
     const bool seeded = flags & kSeeded;
     const std::uint64_t steps = stream.long_word(0);
     const std::uint32_t seed = seeded ? stream.word(0) : 0;
     visit_fluids(stream, flags & kFluids);
+    visit_vehicles(stream, flags & kVehicles);
     const std::byte* const body_bits = stream.block(sizeof(std::uint16_t) * std::size_t(structure_.bodies()));
     const std::byte* const joint_bits = stream.block(std::size_t(structure_.joints()));
     const std::byte* const geom_bits = stream.block(std::size_t(structure_.geoms()));
@@ -258,10 +302,8 @@ void WorldState::load_joints(StateStream& stream, const std::byte* bits)
 // Its ground by number, if that is in the state.
 void WorldState::visit_character(Geom& geom, StateStream& stream)
 {
-    const Geom* ground = stream.saves() ? from_handle<Geom>(geom.character->ground) : nullptr;
-    const int known = ground ? geoms_.find(*ground) : -1;
-    const std::uint32_t number = stream.index(std::uint32_t(known + 1), std::uint32_t(geoms_.count()) + 1,
-                                              "the ground of a character is not there");
+    const std::uint32_t number =
+        visit_ground(geom.character->ground, stream, "the ground of a character is not there");
     state_of_character(geom, stream);
     if (stream.stores()) geom.character->ground = number > 0 ? to_handle(&geoms_[int(number) - 1]) : nullptr;
 }
@@ -314,7 +356,8 @@ const char* WorldState::check(const std::byte* from, std::size_t size, Seal with
             return text_;
         }
     if (length < begin_of_parts()) return "the state ends too early";
-    if (counts.flags & ~(kSeeded | kCharacters | kFluids)) return "the state has parts that this library does not know";
+    if (counts.flags & ~(kSeeded | kCharacters | kFluids | kVehicles))
+        return "the state has parts that this library does not know";
     if (counts.hash == structure_.hash()) return nullptr;
     return structure_.difference(reinterpret_cast<const std::uint8_t*>(from + sizeof header + sizeof counts),
                                  text_, sizeof text_);

@@ -71,6 +71,10 @@ class WorldState {
     void visit_geom(Geom& geom, std::uint8_t bits, StateStream& stream);
     bool has_characters() const;
     void visit_character(Geom& geom, StateStream& stream);
+    int count_vehicles() const;
+    void visit_vehicles(StateStream& stream, bool has);
+    void visit_vehicle(Vehicle& vehicle, StateStream& stream);
+    std::uint32_t visit_ground(dGeomID ground, StateStream& stream, const char* text);
     std::size_t begin_of_parts() const;
 
     World& world_;

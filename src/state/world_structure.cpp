@@ -12,6 +12,7 @@
 #include "base/objects/structure_edition.h"
 #include "dynamics/fluid.h"
 #include "dynamics/joint_drives.h"
+#include "dynamics/vehicle.h"
 #include "fluid/floating_geom.h"
 #include "joints/drive_rows.h"
 #include "joints/registry.h"
@@ -78,7 +79,9 @@ void WorldStructure::visit()
     visit_geoms();
     visit_geoms_of_bodies();
     visit_contacts();
-    if (!stream_.is_older_than(5)) visit_fluids();
+    if (stream_.is_older_than(5)) return;
+    visit_fluids();
+    visit_vehicles();
 }
 
 void WorldStructure::discard()
@@ -209,6 +212,25 @@ void WorldStructure::visit_name(Joint*& joint)
     std::uint32_t name = stream_.saves() && joint ? std::uint32_t(number_of(*joint)) + 1 : 0;
     stream_.number(name, std::uint32_t(0), std::uint32_t(joints_.size()) + 1, "a joint in it is not there");
     if (stream_.loads()) joint = name > 0 ? joints_[int(name) - 1] : nullptr;
+}
+
+// Bodies that are vehicles, by number.
+void WorldStructure::visit_vehicles()
+{
+    const auto is_vehicle = [](const Body* body) { return body->vehicle != nullptr; };
+    const auto all = bodies_.span();
+    int count = stream_.saves() ? int(std::count_if(all.begin(), all.end(), is_vehicle)) : 0;
+    count = stream_.count(count, kNameBytes, "vehicles");
+    int next = 0;
+    for (int i = 0; i < count && !stream_.failed(); ++i) {
+        if (stream_.saves())
+            while (!is_vehicle(bodies_[next])) ++next;
+        stream_.number(next, 0, bodies_.size(), "a vehicle in it is no body, or is twice");
+        if (stream_.failed() ||
+            !stream_.demand(stream_.saves() || !bodies_[next]->vehicle, "a vehicle in it is twice"))
+            return;
+        structure_of_vehicle(*bodies_[next++], stream_);
+    }
 }
 
 void WorldStructure::visit_links()

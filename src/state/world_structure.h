@@ -14,6 +14,7 @@
 //   on bodies   geoms of each body, with offsets
 //   contacts    the contact space
 //   fluids      settings, planes, volumes
+//   vehicles    their bodies, settings and wheels
 // The geoms are those of one outermost space, of the bodies wherever they are, and what transforms hold.
 // A joint or geom type is not named here: it describes itself in its own file.
 #pragma once
@@ -75,6 +76,7 @@ class WorldStructure {
     void visit_geom_of_body(Body& body, Geom* geom);
     void visit_contacts();
     void visit_fluids();
+    void visit_vehicles();
     void discard_geoms();
 
     World* world_ = nullptr;

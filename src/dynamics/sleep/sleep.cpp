@@ -9,6 +9,7 @@
 
 #include "dynamics/joint.h"
 #include "dynamics/sleep/sleeping_forces.h"
+#include "dynamics/vehicle.h"
 
 namespace epode {
 namespace {
@@ -74,8 +75,9 @@ bool has_contacts(const Island& island)
 
 bool is_watched(const Body& body)
 {
+    const bool stands = body.vehicle && body.vehicle->stands;
     return body.auto_disable && body.sleep.samples > 0 && !body.fluid.restless &&
-           (body.joints || body.manifolds || body.fluid.floats);
+           (body.joints || body.manifolds || body.fluid.floats || stands);
 }
 
 // Counts a step at the beginning of which the body is idle, or is not; true if it is ready to sleep.

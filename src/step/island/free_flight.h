@@ -18,11 +18,11 @@
 
 namespace epode {
 
-// A body in a fluid gets its weight as one kick with the fluid's force, which balances it: divided over the substeps, the one would let
-// the body fall while the other lifts it at once.
+// A body in a fluid gets its weight as one kick with the fluid's force, and a vehicle with those of its suspensions, which balance it: divided
+// over the substeps, the one would let it fall while the others lift it at once.
 inline Vec3 weight_field(const World& world, const Body& body)
 {
-    return body.gravity && !body.fluid.wet ? world.gravity : Vec3{};
+    return body.gravity && !body.fluid.wet && !body.vehicle ? world.gravity : Vec3{};
 }
 
 // The program's force: the accumulator without the weight. Exactly zero if there is none.

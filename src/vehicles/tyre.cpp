@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "vehicles/tyre.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epode {
+
+Real tyre_secant(Real z, Real sliding)
+{
+    if (z <= 1) return 1 - z + z * z / 3;
+    const Real beyond = (z - 1) / kFallWidth;
+    return (sliding + (1 - sliding) / (1 + beyond * beyond)) / (3 * z);
+}
+
+Real load_factor(const dVehicleWheel& of, Real load)
+{
+    return std::max(1 - of.load_sensitivity * (load / of.nominal_load - 1), Real(0.1));
+}
+
+Real Tyre::gain(Real h) const
+{
+    const Real L = of.relaxation, tau = damping();
+    return ((1 - tau * rolling / L) * h / (1 + h * rolling / L) + tau) / L;
+}
+
+Real Tyre::start(Real bristle, Real h) const
+{
+    const Real L = of.relaxation;
+    return (1 - damping() * rolling / L) * bristle / ((1 + h * rolling / L) * L);
+}
+
+void Tyre::roll(Real& bristle_x, Real& bristle_y, Real slip_x, Real slip_y, Real h) const
+{
+    const Real L = of.relaxation, k = 1 / (1 + h * rolling / L);
+    const Real x = k * (bristle_x + h * slip_x), y = k * (bristle_y + h * slip_y);
+    const Real zx = scale_x() * x / L, zy = scale_y() * y / L, z = std::sqrt(zx * zx + zy * zy);
+    const Real kept = z > kMostStored ? kMostStored / z : Real(1);
+    bristle_x = kept * x, bristle_y = kept * y;
+}
+
+}  // namespace epode
