@@ -49,14 +49,16 @@ dVehicleReport report_of(const Vehicle& v)
 
 dVehicleWheelReport report_of(const Body& body, const VehicleWheel& w)
 {
+    const VehicleFrame frame = frame_of(body);
     dVehicleWheelReport out{};
     out.on_ground = w.on_ground;
     const bool lives = w.on_ground && from_handle<Geom>(w.ground);
     out.ground = lives ? w.ground : nullptr;
     out.ground_side = lives ? w.ground_side : -1;
     if (w.on_ground) store(out.ground_pos, w.ground_pos), store(out.ground_normal, w.ground_normal);
-    store(out.hub, body.pose().to_world(load(w.settings.position)) + w.compression * frame_of(body).up);
-    out.steer = w.steer, out.angle = w.angle, out.spin = w.spin, out.compression = w.compression;
+    store(out.hub, body.pose().to_world(load(w.settings.position)) + w.compression * frame.up);
+    out.steer = w.steer, out.angle = w.angle,
+    out.spin = w.spin - dot(frame.axle_of(w.steer), body.angular_velocity()), out.compression = w.compression;
     out.load = w.load, out.force_x = w.force_x, out.force_y = w.force_y;
     out.slip_ratio = w.slip_ratio, out.slip_angle = w.slip_angle, out.slip = w.slip;
     return out;

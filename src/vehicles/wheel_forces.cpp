@@ -118,8 +118,6 @@ void WheelForces::make_lines(int i, Stand& at, const WheelContact& contact)
     at.normal = line(n, arm, arm_ground);
     at.x = line(t, hub, arm_ground);
     at.y = line(cross(n, t), arm + raised, arm_ground + raised);
-    const int k = speed_of_wheel(vehicle_, i);
-    at.x.response += w.radius * w.radius * inv_spin_inertia_[k];
 }
 
 Real WheelForces::compression_of_pair(int i) const

@@ -66,14 +66,18 @@ void WheelForces::solve_tyre(int i, Stand& at)
     const Real zx = tyre.scale_x() * at.s_x / grip, zy = tyre.scale_y() * at.s_y / grip;
     at.z = std::sqrt(zx * zx + zy * zy);
     const Real secant = tyre_secant(at.z, w.sliding) * at.normal.impulse;
-    const auto implicit = [&](Real stiffness, Real s, const Line& line) {
-        const Real K = stiffness * secant, yields = at.gain * line.response;
+    const auto implicit = [&](Real stiffness, Real s, const Line& line, Real response) {
+        const Real K = stiffness * secant, yields = at.gain * response;
         return K * (s + yields * line.impulse) / (1 + K * yields);
     };
-    const Real x = implicit(w.stiffness_x, at.s_x, at.x), before = at.x.impulse;
+    // A wheel that its brake holds does not yield.
+    const bool held = std::fabs(brakes_[k].impulse) < brakes_[k].limit;
+    const Real spins = held ? Real(0) : w.radius * w.radius * inv_spin_inertia_[k];
+    const Real x = implicit(w.stiffness_x, at.s_x, at.x, at.x.response + spins), before = at.x.impulse;
     give(at, at.x, x);
     speed_[k] -= w.radius * (x - before) * inv_spin_inertia_[k];
-    give(at, at.y, implicit(w.stiffness_y, at.s_y, at.y));
+    solve_row(brakes_[k]);
+    give(at, at.y, implicit(w.stiffness_y, at.s_y, at.y, at.y.response));
 }
 
 void WheelForces::solve_row(ShaftRow& row)
@@ -124,6 +128,7 @@ void WheelForces::solve()
             if (stands_[i].stands) solve_normal(stands_[i]);
         for (int k = 0; k < speeds_; ++k) {
             set_brake_limit(k);
+            if (!(brakes_[k].limit > 0)) continue;
             solve_row(brakes_[k]);
         }
         for (int r = 0; r < row_count_; ++r) solve_row(rows_[r]);
