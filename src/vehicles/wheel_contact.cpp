@@ -17,6 +17,8 @@
 namespace epode {
 namespace {
 
+constexpr Real kCamber = Real(0.05);  // rad
+
 // A wheel as a geom outside all spaces, as long as it is looked for.
 template <typename Shape>
 struct WheelProbe : ShapeGeom<Shape> {
@@ -41,6 +43,14 @@ SweepHit nearest(Geom& solid, const Way& way, const Array<Geom*>& near, Vec3 up)
 }
 
 Real length_across(Vec3 v, Vec3 axis) { return length(v - dot(v, axis) * axis); }
+
+// Where a cylinder lies along its whole width, the query returns any point of that: the middle is meant. Over kCamber it stands on its
+// rim.
+Vec3 evened(Vec3 pos, Vec3 centre, Vec3 axle, Vec3 normal)
+{
+    const Real rim = std::min(std::fabs(dot(normal, axle)) / kCamber, Real(1));
+    return pos - (1 - rim) * dot(pos - centre, axle) * axle;
+}
 
 bool carries_wheels(const Geom& geom)
 {
@@ -151,7 +161,9 @@ WheelContact WheelCaster::by_shape(const VehicleWheel& wheel)
         hit = nearest(probe, way, near_, frame_.up);
     }
     if (!(hit.distance < length)) return {};
-    return {hit.named, hit.side, hit.pos, hit.normal, length - hit.distance};
+    const Vec3 centre = from - hit.distance * frame_.up;
+    return {hit.named, hit.side, evened(hit.pos, centre, axle, hit.normal), hit.normal,
+            length - hit.distance};
 }
 
 }  // namespace epode
