@@ -50,6 +50,26 @@ struct dCharacterReportExt : public dCharacterReport {
 struct dFluidSettingsExt : public dFluidSettings {
     dFluidSettingsExt() { dFluidSettingsInit(this, sizeof(dFluidSettings)); }
 };
+/** Settings of a vehicle with all defaults: dVehicleSettingsInit. */
+struct dVehicleSettingsExt : public dVehicleSettings {
+    dVehicleSettingsExt() { dVehicleSettingsInit(this, sizeof(dVehicleSettings)); }
+};
+/** A wheel of a vehicle with all defaults: dVehicleWheelInit. */
+struct dVehicleWheelExt : public dVehicleWheel {
+    dVehicleWheelExt() { dVehicleWheelInit(this, sizeof(dVehicleWheel)); }
+};
+/** Controls that do nothing, and know their size. */
+struct dVehicleControlsExt : public dVehicleControls {
+    dVehicleControlsExt() : dVehicleControls() { struct_size = sizeof(dVehicleControls); }
+};
+/** A vehicle's report that knows its size; all else is 0 at first. */
+struct dVehicleReportExt : public dVehicleReport {
+    dVehicleReportExt() : dVehicleReport() { struct_size = sizeof(dVehicleReport); }
+};
+/** The same of one wheel. */
+struct dVehicleWheelReportExt : public dVehicleWheelReport {
+    dVehicleWheelReportExt() : dVehicleWheelReport() { struct_size = sizeof(dVehicleWheelReport); }
+};
 
 /** A report that knows its size; all else is 0 at first. */
 struct dWorldStepReportExt : public dWorldStepReport {
@@ -233,6 +253,47 @@ class dBodyExt : public dBody {
     /** dBodySetHybridStepper, dBodyGetHybridStepper. */
     void setHybridStepper(int stepper) { dBodySetHybridStepper(get_id(), stepper); }
     int getHybridStepper() const { return dBodyGetHybridStepper(get_id()); }
+
+    /** dBodyIsVehicle. */
+    int isVehicle() const { return dBodyIsVehicle(get_id()); }
+};
+
+/** A body on wheels: dVehicleCreate. */
+class dVehicle : public dBodyExt {
+  public:
+    /** Without a world there is no vehicle yet; else it is made at once; settings 0: the defaults. */
+    dVehicle() {}
+    explicit dVehicle(dWorldID world, const dVehicleSettings* settings = 0) { create(world, settings); }
+
+    /** Make a new body, a vehicle without wheels; the one before is destroyed. Returns 1. */
+    int create(dWorldID world, const dVehicleSettings* settings = 0)
+    {
+        dBody::create(world);
+        return dVehicleCreate(get_id(), settings);
+    }
+
+    /** dVehicleSetSettings, dVehicleGetSettings. */
+    int setSettings(const dVehicleSettings* settings) { return dVehicleSetSettings(get_id(), settings); }
+    int getSettings(dVehicleSettings* settings) const { return dVehicleGetSettings(get_id(), settings); }
+
+    /** dVehicleAddWheel, dVehicleGetNumWheels, dVehicleSetWheel, dVehicleGetWheel. */
+    int addWheel(const dVehicleWheel* wheel = 0) { return dVehicleAddWheel(get_id(), wheel); }
+    int getNumWheels() const { return dVehicleGetNumWheels(get_id()); }
+    int setWheel(int wheel, const dVehicleWheel* as) { return dVehicleSetWheel(get_id(), wheel, as); }
+    int getWheel(int wheel, dVehicleWheel* out) const { return dVehicleGetWheel(get_id(), wheel, out); }
+
+    /** dVehicleSetControls, dVehicleGetControls, dVehicleSetGear, dVehicleUpdate. */
+    int setControls(const dVehicleControls* controls) { return dVehicleSetControls(get_id(), controls); }
+    int getControls(dVehicleControls* controls) const { return dVehicleGetControls(get_id(), controls); }
+    int setGear(int gear) { return dVehicleSetGear(get_id(), gear); }
+    int update(dReal h) { return dVehicleUpdate(get_id(), h); }
+
+    /** dVehicleGetReport, dVehicleGetWheelReport. */
+    int getReport(dVehicleReport* report) const { return dVehicleGetReport(get_id(), report); }
+    int getWheelReport(int wheel, dVehicleWheelReport* report) const
+    {
+        return dVehicleGetWheelReport(get_id(), wheel, report);
+    }
 };
 
 /** A joint of class Type, one of ode/odecpp_joints.h, with the additions of ode/drives.h. It is made by

@@ -29,7 +29,8 @@ extern "C" {
 
     Refused: what is no vehicle; a wheel that it does not have; null pointers; numbers that are not finite;
     structures of a size below that of their first two fields or above this library's, or with a field
-    outside what it says; a call while the world is in a step; what each function names. Nothing changes then, and
+    outside what it says; [dVehicleUpdate, dVehicleCreate, dVehicleSet, dVehicleAddWheel] a call during a
+    step; [dVehicleUpdate] a space that is being collided; what each function names. Nothing changes then, and
     the answer is 0. */
 
 /** How a vehicle is driven and steered. */
@@ -180,16 +181,16 @@ ODE_API int dVehicleSettingsInit(dVehicleSettings* settings, unsigned struct_siz
     it: dVehicleWheelInit(&wheel, sizeof wheel). Returns 1. [ours] */
 ODE_API int dVehicleWheelInit(dVehicleWheel* wheel, unsigned struct_size);
 
-/** Make the body a vehicle without wheels, in first gear, its engine at idle; null settings are the defaults.
-    A history (dWorldSetHistory) cannot take it back to before. Returns 1. Refused: a body that is a vehicle
+/** Make the body a `vehicle` without wheels, in its first `gear`, the engine at idle; null settings are the defaults.
+    A history (dWorldSetHistory) cannot take it back to before. Returns 1. Refused: a body that is a `vehicle`
     already. [ours] */
 ODE_API int dVehicleCreate(dBodyID body, const dVehicleSettings* settings);
 
-/** Returns 1 if the body is a vehicle, else 0. [ours] */
+/** Returns 1 if the body is a `vehicle`, else 0. [ours] */
 ODE_API int dBodyIsVehicle(dBodyID body);
 
 /** The settings.
-    - dVehicleSetSettings: Give the vehicle other settings; a gear that it does not have any more becomes the
+    - dVehicleSetSettings: Give the vehicle other settings; a `gear` that it does not have any more becomes the
       highest. Returns 1. Refused: what dVehicleCreate refuses.
     - dVehicleGetSettings: Write the settings to *settings, whose struct_size the caller has set. Returns 1.
       [ours] */
@@ -201,7 +202,7 @@ ODE_API int dVehicleGetSettings(dBodyID vehicle, dVehicleSettings* settings);
       now: the number of the new one plus 1. Refused: more than dVehicleMaxWheels; a third wheel of an axle of
       a dVehicleCar.
     - dVehicleGetNumWheels: Return how many it has.
-    - dVehicleSetWheel: Change one, which keeps its speed. Returns 1.
+    - dVehicleSetWheel: Change one to `as`; it keeps its speed. Returns 1.
     - dVehicleGetWheel: Write one to *out, whose struct_size the caller has set. Returns 1. [ours] */
 ODE_API int dVehicleAddWheel(dBodyID vehicle, const dVehicleWheel* wheel);
 ODE_API int dVehicleGetNumWheels(dBodyID vehicle);
@@ -222,8 +223,8 @@ ODE_API int dVehicleSetGear(dBodyID vehicle, int gear);
 /** Let wheels, engine and gears act for a step of h seconds: their forces join those of the program on the
     chassis and on the bodies under it, for the next step of the world. Call it once for each dWorldStep,
     before it, after the program's own forces on the chassis. A vehicle that sleeps costs nothing; it wakes when the
-    throttle is open in a gear or what it stands on moves. Returns how many wheels stand on something.
-    Refused: a space that is being collided. [ours] */
+    throttle is open in a `gear` or what it stands on moves. Returns how many wheels stand on something.
+    [ours] */
 ODE_API int dVehicleUpdate(dBodyID vehicle, dReal h);
 
 /** Write what the last update has done to *report, whose struct_size the caller has set. Return 1.

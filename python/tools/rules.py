@@ -294,6 +294,7 @@ LEFT_OUT = {
     r"d(Init|Close|Cleanup|Allocate)ODE\w*": "done once when the module is imported",
     r"dWorldSetManifoldFunction": "a Python call for each manifold of each step",
     r"dCharacter\w+|dGeomIsCharacter": "characters have no class in Python yet",
+    r"dVehicle\w+|dBodyIsVehicle": "vehicles have no class in Python yet",
 }
 
 # Arrays of fixed size that a function reads and writes.

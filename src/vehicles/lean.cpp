@@ -25,8 +25,8 @@ Real lean_moment(const Body& body, const WheelForces& forces, Real h)
     const Real yaw = -dot(w, gravity) / g, v = dot(body.velocity(), forward);
     const Real wanted = std::clamp(-atan2(v * yaw, g), -s.lean_limit, s.lean_limit);
     const Vec3 about = transposed_times(body.rotation(), forward);
-    const Vec3 beside = arm - dot(arm, forward) * forward;
-    const Real J = dot(about, body.inertia * about) + body.mass.mass * length2(beside);
+    const Vec3 sideways = arm - dot(arm, forward) * forward;
+    const Real J = dot(about, body.inertia * about) + body.mass.mass * length2(sideways);
     const Real off = wanted - lean_of(body, forces.frame());
     return J * wn * (wn * off - 2 * dot(w, forward)) / (1 + 2 * wn * h + wn * h * wn * h);
 }

@@ -54,13 +54,13 @@ void steer(Vehicle& vehicle, Real h)
         const dVehicleWheel& w = wheel.settings;
         const Vec3 at = load(w.position);
         const Real ahead = vehicle.curvature * (dot(at, axes.forward) - line.root);
-        const Real beside = 1 - s.ackermann * vehicle.curvature * dot(at, axes.left);
+        const Real across = 1 - s.ackermann * vehicle.curvature * dot(at, axes.left);
         if (w.steer == 0)
             wheel.steer = 0;
         else if (line.slope == 0)
             wheel.steer = w.steer * vehicle.steer;
         else
-            wheel.steer = beside > 0 ? atan2(ahead, beside) : atan2(ahead, 1);
+            wheel.steer = across > 0 ? atan2(ahead, across) : atan2(ahead, 1);
     }
 }
 

@@ -14,8 +14,8 @@
 //   tyre         vehicles/tyre.h;   rows: the impulse that makes their speed 0, within their limits
 // The spring acts from where it is, as in semi-implicit Euler, whose frequency has an error of (w h)^2 / 24
 // alone; so a step of the world must not be finer for the weight than for the spring (step/island/free_flight.h).
-// The damper's mean T is 1/2 + a / (12 + 2 a), a = h d / m: second order for small steps, implicit
-// Euler for large ones, for exp(-a) of a free damper has nearly that. A spring that a step cannot follow, of h^2 k /
+// The damper's mean T is 1/2 + a / (12 + 2 a), a = h d / m: second order for short steps, implicit
+// Euler for long ones, for exp(-a) of a free damper has nearly that. A spring that a step cannot follow, of h^2 k /
 // m > 1/4, is taken implicitly for the rest.
 #pragma once
 

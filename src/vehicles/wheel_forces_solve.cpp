@@ -12,7 +12,7 @@ namespace {
 constexpr int kSweeps = 100;
 constexpr Real kConverged = kSingle ? Real(1e-6) : Real(1e-12);  // change of an impulse, of the largest
 constexpr Real kTwoPi = Real(6.283185307179586477);
-constexpr Real kSlowest = Real(0.1);  // m/s: below, slips are told as if it moved so fast
+constexpr Real kSlowest = Real(0.1);  // m/s: below, slips are reported as if it moved so fast
 
 Real turned(Real angle, Real by)
 {

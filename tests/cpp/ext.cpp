@@ -299,6 +299,49 @@ void test_impulses()
     judge("dSpaceExt::applyRadialImpulse", count == 1 && v[2] == 1, Numbers(1, v[2]));
 }
 
+void test_vehicles()
+{
+    dWorldExt world;
+    dHashSpace space(0);
+    dPlane floor(space, 0, 0, 1, 0);
+    dWorldSetContactSpace(world, space);
+    world.setGravity(0, 0, REAL(-9.81));
+    dVehicle car;
+    judge("dVehicle::create", car.create(world) == 1 && dBodyIsVehicle(car) == 1, Numbers());
+    judge("dBodyExt::isVehicle", car.isVehicle() == 1, Numbers());
+    dVehicleSettingsExt settings;
+    settings.gears = 3;
+    car.setSettings(&settings);
+    settings.gears = 5;
+    judge("dVehicle::setSettings", dVehicleGetSettings(car, &settings) == 1 && settings.gears == 3,
+          Numbers());
+    judge("dVehicle::getSettings", car.getSettings(&settings) == 1 && settings.gears == 3, Numbers());
+    dVehicleWheelExt wheel;
+    judge("dVehicle::addWheel", car.addWheel(&wheel) == 1, Numbers());
+    judge("dVehicle::getNumWheels", car.getNumWheels() == 1, Numbers());
+    wheel.radius = REAL(0.5);
+    car.setWheel(0, &wheel);
+    wheel.radius = 1;
+    judge("dVehicle::setWheel", dVehicleGetWheel(car, 0, &wheel) == 1 && wheel.radius == REAL(0.5),
+          Numbers());
+    judge("dVehicle::getWheel", car.getWheel(0, &wheel) == 1 && wheel.radius == REAL(0.5), Numbers());
+    dVehicleControlsExt controls;
+    controls.throttle = 1;
+    car.setControls(&controls);
+    controls.throttle = 0;
+    judge("dVehicle::setControls", dVehicleGetControls(car, &controls) == 1 && controls.throttle == 1,
+          Numbers());
+    judge("dVehicle::getControls", car.getControls(&controls) == 1 && controls.throttle == 1, Numbers());
+    car.setPosition(0, 0, REAL(0.4));
+    judge("dVehicle::update", car.update(REAL(0.01)) == 1, Numbers());
+    car.setGear(2);
+    dVehicleReportExt report;
+    judge("dVehicle::getReport", car.getReport(&report) == 1 && report.wheels_on_ground == 1, Numbers());
+    judge("dVehicle::setGear", report.gear == 2, Numbers());
+    dVehicleWheelReportExt at;
+    judge("dVehicle::getWheelReport", car.getWheelReport(0, &at) == 1 && at.load > 0, Numbers());
+}
+
 void test_joints()
 {
     dWorldExt world;
@@ -494,6 +537,7 @@ int main()
     test_characters();
     test_fluids();
     test_impulses();
+    test_vehicles();
     test_joints();
     test_coupling();
     test_body_and_geoms();

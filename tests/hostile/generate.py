@@ -46,7 +46,10 @@ KIND_OF_TYPE = {
     "const dGeomClass*": "GeomClass", "dWorldStepReport*": "WorldReport",
     "dIslandStepReport*": "IslandReport", "dEnergyLedger*": "Ledger", "dStopwatch*": "Stopwatch", "FILE*": "File",
     "const char*": "Text", "dQueryHit*": "QueryHits", "dHandlePair*": "QueryHits", "dSpaceID*": "QueryHits", "dQueryDistance*": "QueryHits", "void*": "Data", "dJointID*": "JointList", "dJointFeedback*": "Feedback", "dGeomID*": "QueryHits",
-    "dContactEvent*": "QueryHits", "dDiagnosis*": "QueryHits", "const dDiagnosis*": "QueryHits", "dWorldContact*": "QueryHits", "dEvent*": "QueryHits", "const dEventSettings*": "EventSettings", "dEventSettings*": "EventSettingsBuffer", "const dCharacterSettings*": "CharacterSettings", "dCharacterSettings*": "CharacterSettingsBuffer", "dCharacterReport*": "CharacterReport", "dMaterial*": "Material",
+    "dContactEvent*": "QueryHits", "dDiagnosis*": "QueryHits", "const dDiagnosis*": "QueryHits", "dWorldContact*": "QueryHits", "dEvent*": "QueryHits", "const dEventSettings*": "EventSettings", "dEventSettings*": "EventSettingsBuffer", "const dCharacterSettings*": "CharacterSettings", "dCharacterSettings*": "CharacterSettingsBuffer", "dCharacterReport*": "CharacterReport",
+    "const dVehicleSettings*": "VehicleSettings", "dVehicleSettings*": "VehicleSettingsBuffer", "const dVehicleWheel*": "VehicleWheel", "dVehicleWheel*": "VehicleWheelBuffer",
+    "const dVehicleControls*": "VehicleControls", "dVehicleControls*": "VehicleControlsBuffer", "dVehicleReport*": "VehicleReport", "dVehicleWheelReport*": "VehicleWheelReport",
+    "dMaterial*": "Material",
     "const dMaterial*": "Material", "dDrive*": "DriveBuffer", "const dDrive*": "Drive", "const dQueryFilter*": "QueryFilter", "dContactFilter*": "ContactFilter",
     "const unsigned char*": "Bytes", "const short*": "Shorts", "const float*": "Floats",
     "const double*": "Doubles",
@@ -67,7 +70,7 @@ MATRIX = (r"d(SetZero|SetValue|Dot|Multiply\d|FactorCholesky|SolveCholesky|Inver
 KIND_OF_PARAMETER = [
     (r"dPrintMatrix:fmt", "Format"),
     (r"dThreadingAllocateThreadPool:thread_count", "ThreadCount"),
-    (r"d(Material|QueryFilter|Drive|EventSettings|CharacterSettings|FluidSettings)Init:(material|filter|drive|settings)", "QueryHits"),
+    (r"d(Material|QueryFilter|Drive|EventSettings|CharacterSettings|FluidSettings|VehicleSettings|VehicleWheel)Init:(material|filter|drive|settings|wheel)", "QueryHits"),
     (r"d(Diagnosis|Defaults)Text:text", "QueryHits"),
     (r"\w+:struct_size", "StructSize"),
     (r"dWorldsStep:(count|steps)", "Length"),
@@ -143,7 +146,7 @@ MAY_BE_NULL = [
     r"d(Bodies|Joints)[GS]etStates:(bodies|joints|out|in|value|rate)", r"dWorldGet(Bodies|Joints):(bodies|joints)",
     r"dWorldGetStateDelta:out",
     r"dWorld(Clone|CountHandles|Save|Load)\w*:space", r"dWorldClone:table", r"dWorldSaveToBuffer:buffer",
-    r"dGeomHeightfieldDataSetHoles:holes", r"dWorldDiagnose:causes", r"dDefaultsText:text", r"dWorldGetEvents:events", r"d(WorldSetEventSettings|CharacterCreate):settings", r"dFluidSetSurface:surface", r"dFluidSetCurrentFunction:current",
+    r"dGeomHeightfieldDataSetHoles:holes", r"dWorldDiagnose:causes", r"dDefaultsText:text", r"dWorldGetEvents:events", r"d(WorldSetEventSettings|CharacterCreate|VehicleCreate):settings", r"dVehicleAddWheel:wheel", r"dFluidSetSurface:surface", r"dFluidSetCurrentFunction:current",
     r"dFluidSetVolume:volume", r"dFluidGetSubmerged\w*:(volume|centre)", r"dBodyGetFluidForce:(force|torque)", r"dBodyApply(Impulse|Force):pos", r"dBodySetVelocities:(linear|angular)", r"dWorldGetContacts:contacts", r"dWorldGetContactEvents:events", r"dSpaceRayAll:hits", r"dSpaceOverlap:geoms", r"dSpaceRayBatch:(origins|directions|lengths|hits)",
     # With no elements there is nothing to point to.
     r"d(SetZero|SetValue|Dot|ScaleVector|VectorScale|FactorLDLT):(a|b|d|A)",
@@ -156,7 +159,7 @@ NOT_READ = [r"dInfiniteAABB:geom", r"dLDLTRemove:A",
 # Numbers that are handed on as they are: NaN included.
 ANY_NUMBER = [r"dSetValue:value"]
 
-READER = re.compile(r"d(World|Body|Joint|Geom|Space|HashSpace|Fluid)\w*(Get|Is[A-Z]|Copy)|dRandGetSeed|dGet\w+Handler$")
+READER = re.compile(r"d(World|Body|Joint|Geom|Space|HashSpace|Fluid|Vehicle)\w*(Get|Is[A-Z]|Copy)|dRandGetSeed|dGet\w+Handler$")
 NO_READER = re.compile(r"d(Geom|Body)(GetRelPoint\w+|GetPosRelPoint|GetPointVel)|dGeomIsSpaceX")
 HANDLES = {"World", "Body", "Joint", "Group", "Geom", "Space", "HeightfieldData", "Threading", "ThreadPool",
            "Cooperative", "Requirements", "Container", "TriMeshData", "Fluid"}

@@ -257,6 +257,10 @@ void Scene::build_geoms()
     dGeomSetPosition(geoms[7], 1, 0, 2);
     dGeomSetPosition(geoms[10], 0, 0, 1);
     dGeomSetBody(geoms[13], body(4));
+    for (const int i : {1, 4}) {
+        dVehicleCreate(body(i), nullptr);
+        dVehicleAddWheel(body(i), nullptr);
+    }
     user_geom = geoms[7];
     tested_geom = geoms[10];
     probe = geoms[8];

@@ -73,6 +73,8 @@ constexpr Integer kStructSizes[] = {{sizeof(dQueryFilter), "sizeof(dQueryFilter)
                                     {sizeof(dFluidSettings), "sizeof(dFluidSettings)"},
                                     {sizeof(dEventSettings), "sizeof(dEventSettings)"},
                                     {sizeof(dCharacterSettings), "sizeof(dCharacterSettings)"},
+                                    {sizeof(dVehicleSettings), "sizeof(dVehicleSettings)"},
+                                    {sizeof(dVehicleWheel), "sizeof(dVehicleWheel)"},
                                     {sizeof(dQueryFilter) - 1, "sizeof(dQueryFilter)-1"},
                                     {0, "0"},
                                     {4, "4"},
@@ -277,6 +279,94 @@ inline const std::vector<Item<dCharacterSettings>>& character_settings()
         {with([](auto& s) { s.up[1] = kNaN; }), Trait::kNaN, "up NaN"},
         {with([](auto& s) { s.radius = kNaN; }), Trait::kNaN, "radius NaN"},
         {with([](auto& s) { s.air_acceleration = kNaN; }), Trait::kNaN, "air NaN"}};
+    return list;
+}
+
+inline const std::vector<Item<dVehicleSettings>>& vehicle_settings()
+{
+    static const auto with = [](auto change) {
+        dVehicleSettings s;
+        dVehicleSettingsInit(&s, sizeof s);
+        change(s);
+        return s;
+    };
+    static const std::vector<Item<dVehicleSettings>> list = {
+        {with([](auto&) {}), Trait::kFine, "the defaults"},
+        {with([](auto& s) { s.kind = dVehicleBike, s.abs = 1; }), Trait::kFine, "a bike"},
+        {with([](auto& s) { s.kind = dVehicleTracked, s.differential = dDifferentialLocked; }), Trait::kFine,
+         "tracks"},
+        {with([](auto& s) { s.gears = 1, s.torque_points = 2; }), Trait::kFine, "one gear"},
+        {with([](auto& s) { s.engine_torques[15] = kNaN, s.gear_ratios[9] = kNaN; }), Trait::kFine,
+         "unused NaN"},
+        {with([](auto& s) { s.kind = 0; }), Trait::kBad, "kind 0"},
+        {with([](auto& s) { s.kind = INT_MAX; }), Trait::kBad, "kind INT_MAX"},
+        {with([](auto& s) { s.struct_size = 0; }), Trait::kBad, "struct_size 0"},
+        {with([](auto& s) { s.up[2] = 0; }), Trait::kBad, "up of length 0"},
+        {with([](auto& s) { s.forward[0] = 0, s.forward[2] = 1; }), Trait::kBad, "forward along up"},
+        {with([](auto& s) { s.torque_points = 17; }), Trait::kBad, "17 points"},
+        {with([](auto& s) { s.torque_points = INT_MIN; }), Trait::kBad, "points INT_MIN"},
+        {with([](auto& s) { s.engine_speeds[1] = 0; }), Trait::kBad, "equal speeds"},
+        {with([](auto& s) { s.gears = 11; }), Trait::kBad, "11 gears"},
+        {with([](auto& s) { s.gear_ratios[0] = 0; }), Trait::kBad, "ratio 0"},
+        {with([](auto& s) { s.differential = 0; }), Trait::kBad, "differential 0"},
+        {with([](auto& s) { s.max_steer = 2; }), Trait::kBad, "steer 2"},
+        {with([](auto& s) { s.engine_inertia = 0; }), Trait::kBad, "inertia 0"},
+        {with([](auto& s) { s.drag = 1e11, s.clutch_torque = 1e11; }), Trait::kStrange, "much drag"},
+        {with([](auto& s) { s.engine_torques[1] = kNaN; }), Trait::kNaN, "torque NaN"},
+        {with([](auto& s) { s.lean_limit = kNaN; }), Trait::kNaN, "lean NaN"},
+        {with([](auto& s) { s.up[1] = kNaN; }), Trait::kNaN, "up NaN"}};
+    return list;
+}
+
+inline const std::vector<Item<dVehicleWheel>>& vehicle_wheels()
+{
+    static const auto with = [](auto change) {
+        dVehicleWheel w;
+        dVehicleWheelInit(&w, sizeof w);
+        change(w);
+        return w;
+    };
+    static const std::vector<Item<dVehicleWheel>> list = {
+        {with([](auto&) {}), Trait::kFine, "the defaults"},
+        {with([](auto& w) { w.cast = dWheelCylinder, w.axle = 5, w.drive = 1; }), Trait::kFine, "a cylinder"},
+        {with([](auto& w) { w.cast = dWheelSphere, w.axle = 6, w.position[0] = 1; }), Trait::kFine,
+         "a sphere"},
+        {with([](auto& w) { w.travel = w.stiffness = 0, w.axle = 7; }), Trait::kFine, "no spring"},
+        {with([](auto& w) { w.cast = 0; }), Trait::kBad, "cast 0"},
+        {with([](auto& w) { w.cast = INT_MIN; }), Trait::kBad, "cast INT_MIN"},
+        {with([](auto& w) { w.struct_size = 0; }), Trait::kBad, "struct_size 0"},
+        {with([](auto& w) { w.radius = 0; }), Trait::kBad, "radius 0"},
+        {with([](auto& w) { w.axle = 32; }), Trait::kBad, "axle 32"},
+        {with([](auto& w) { w.axle = -1; }), Trait::kBad, "axle -1"},
+        {with([](auto& w) { w.sliding = 2; }), Trait::kBad, "sliding 2"},
+        {with([](auto& w) { w.steer = -2; }), Trait::kBad, "steer -2"},
+        {with([](auto& w) { w.position[1] = kLarge; }), Trait::kBad, "far away"},
+        {with([](auto& w) { w.stiffness = w.bump_damping = 1e11, w.axle = 8; }), Trait::kStrange, "stiff"},
+        {with([](auto& w) { w.radius = 1e5, w.travel = 1e5, w.axle = 9; }), Trait::kStrange, "large"},
+        {with([](auto& w) { w.position[2] = kNaN; }), Trait::kNaN, "position NaN"},
+        {with([](auto& w) { w.friction_y = kNaN; }), Trait::kNaN, "friction NaN"},
+        {with([](auto& w) { w.steer = kNaN; }), Trait::kNaN, "steer NaN"}};
+    return list;
+}
+
+inline const std::vector<Item<dVehicleControls>>& vehicle_controls()
+{
+    static const auto with = [](auto change) {
+        dVehicleControls c{};
+        c.struct_size = sizeof c;
+        change(c);
+        return c;
+    };
+    static const std::vector<Item<dVehicleControls>> list = {
+        {with([](auto&) {}), Trait::kFine, "none"},
+        {with([](auto& c) { c.throttle = 1, c.steer = -1; }), Trait::kFine, "full throttle"},
+        {with([](auto& c) { c.brake = c.handbrake = c.clutch = 1; }), Trait::kFine, "brakes"},
+        {with([](auto& c) { c.struct_size = 0; }), Trait::kBad, "struct_size 0"},
+        {with([](auto& c) { c.throttle = 2; }), Trait::kBad, "throttle 2"},
+        {with([](auto& c) { c.brake = -1; }), Trait::kBad, "brake -1"},
+        {with([](auto& c) { c.steer = kLarge; }), Trait::kBad, "steer large"},
+        {with([](auto& c) { c.steer = kNaN; }), Trait::kNaN, "steer NaN"},
+        {with([](auto& c) { c.clutch = kNaN; }), Trait::kNaN, "clutch NaN"}};
     return list;
 }
 

@@ -223,6 +223,22 @@ int Values::count(Kind kind)
             return int(fluid_settings().size()) + 1;
         case Kind::kFluidSettingsBuffer:
             return int(reports<dFluidSettings>().size()) + 1;
+        case Kind::kVehicleSettings:
+            return int(vehicle_settings().size()) + 1;
+        case Kind::kVehicleSettingsBuffer:
+            return int(reports<dVehicleSettings>().size()) + 1;
+        case Kind::kVehicleWheel:
+            return int(vehicle_wheels().size()) + 1;
+        case Kind::kVehicleWheelBuffer:
+            return int(reports<dVehicleWheel>().size()) + 1;
+        case Kind::kVehicleControls:
+            return int(vehicle_controls().size()) + 1;
+        case Kind::kVehicleControlsBuffer:
+            return int(reports<dVehicleControls>().size()) + 1;
+        case Kind::kVehicleReport:
+            return int(reports<dVehicleReport>().size()) + 1;
+        case Kind::kVehicleWheelReport:
+            return int(reports<dVehicleWheelReport>().size()) + 1;
         case Kind::kContact:
             return int(hostile::contacts().size()) + 1;
         case Kind::kGeomClass:
@@ -436,6 +452,22 @@ Value Values::memory(Kind kind, int index, int position)
             return item(fluid_settings());
         case Kind::kFluidSettingsBuffer:
             return item(reports<dFluidSettings>());
+        case Kind::kVehicleSettings:
+            return item(vehicle_settings());
+        case Kind::kVehicleSettingsBuffer:
+            return item(reports<dVehicleSettings>());
+        case Kind::kVehicleWheel:
+            return item(vehicle_wheels());
+        case Kind::kVehicleWheelBuffer:
+            return item(reports<dVehicleWheel>());
+        case Kind::kVehicleControls:
+            return item(vehicle_controls());
+        case Kind::kVehicleControlsBuffer:
+            return item(reports<dVehicleControls>());
+        case Kind::kVehicleReport:
+            return item(reports<dVehicleReport>());
+        case Kind::kVehicleWheelReport:
+            return item(reports<dVehicleWheelReport>());
         case Kind::kContact:
             return item(hostile::contacts());
         case Kind::kGeomClass:

@@ -51,7 +51,7 @@ TEST(Ground, is_the_same_plane_for_every_kind_of_wheel)
     }
 }
 
-TEST(Ground, may_be_a_mesh_whose_triangle_is_told)
+TEST(Ground, may_be_a_mesh_whose_triangle_is_reported)
 {
     Road road;
     static const float points[] = {-50, -50, 0, 50, -50, 0, 50, 50, 0, -50, 50, 0};
