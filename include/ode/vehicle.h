@@ -64,15 +64,15 @@ typedef struct dVehicleSettings {
     dVector3 forward;     /**< in the body's frame, of any length but 0, not along up. (1, 0, 0) */
     dVector3 up;          /**< likewise; the suspensions work along it. (0, 0, 1) */
     int torque_points;    /**< of the engine's curve at full throttle, 2 ... 16; straight between them. 5 */
-    dReal engine_speeds[dVehicleMaxTorquePoints]; /**< rad/s, each above the one before, the first 0 or more;
+    dReal engine_speeds[16]; /**< rad/s, each above the one before, the first 0 or more;
         the last is the limiter's. 0, 150, 350, 550, 650 */
-    dReal engine_torques[dVehicleMaxTorquePoints]; /**< N m, 0 or more. 120, 220, 300, 280, 240 */
+    dReal engine_torques[16]; /**< N m, 0 or more. 120, 220, 300, 280, 240 */
     dReal engine_inertia; /**< kg m^2, above 0. 0.2 */
     dReal engine_drag;    /**< N m at the limiter with closed throttle, in proportion to speed. 60 */
     dReal idle_speed;     /**< rad/s, that the engine keeps by itself, 0 or more. 90 */
     int automatic;        /**< 1: it shifts by itself between forward gears; 0: dVehicleSetGear alone. 1 */
     int gears;            /**< forward, 1 ... 10. 5 */
-    dReal gear_ratios[dVehicleMaxGears]; /**< engine over shaft, above 0. 3.5, 2.1, 1.45, 1.1, 0.9 */
+    dReal gear_ratios[10]; /**< engine over shaft, above 0. 3.5, 2.1, 1.45, 1.1, 0.9 */
     dReal reverse_ratio;       /**< above 0. 3.3 */
     dReal final_ratio;         /**< shaft over wheels, above 0. 3.8 */
     dReal shift_time;          /**< s without drive while it shifts, 0 or more. 0.2 */
@@ -202,11 +202,11 @@ ODE_API int dVehicleGetSettings(dBodyID vehicle, dVehicleSettings* settings);
       now: the number of the new one plus 1. Refused: more than dVehicleMaxWheels; a third wheel of an axle of
       a dVehicleCar.
     - dVehicleGetNumWheels: Return how many it has.
-    - dVehicleSetWheel: Change one to `as`; it keeps its speed. Returns 1.
+    - dVehicleSetWheel: Give one other settings; it keeps its speed. Returns 1.
     - dVehicleGetWheel: Write one to *out, whose struct_size the caller has set. Returns 1. [ours] */
 ODE_API int dVehicleAddWheel(dBodyID vehicle, const dVehicleWheel* wheel);
 ODE_API int dVehicleGetNumWheels(dBodyID vehicle);
-ODE_API int dVehicleSetWheel(dBodyID vehicle, int wheel, const dVehicleWheel* as);
+ODE_API int dVehicleSetWheel(dBodyID vehicle, int wheel, const dVehicleWheel* settings);
 ODE_API int dVehicleGetWheel(dBodyID vehicle, int wheel, dVehicleWheel* out);
 
 /** What the driver does, until it is changed.

@@ -5,6 +5,7 @@
 #include "dynamics/vehicle.h"
 
 #include <algorithm>
+#include <iterator>
 #include <new>
 
 #include "base/check.h"
@@ -15,6 +16,10 @@
 
 namespace epode {
 namespace {
+
+static_assert(std::size(dVehicleSettings{}.engine_speeds) == dVehicleMaxTorquePoints &&
+              std::size(dVehicleSettings{}.engine_torques) == dVehicleMaxTorquePoints &&
+              std::size(dVehicleSettings{}.gear_ratios) == dVehicleMaxGears);
 
 constexpr Real kAny = Real(1e12), kUsualLength = Real(1e6), kMostSteer = Real(1.4);
 

@@ -6,6 +6,8 @@
 // How it drives is in src/vehicles, which knows geoms.
 #pragma once
 
+#include <span>
+
 #include "base/objects/struct_size.h"
 #include "dynamics/body.h"
 #include "ode/vehicle.h"

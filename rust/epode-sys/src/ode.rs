@@ -533,6 +533,9 @@ pub const dAMotorTurn: c_int = 2;
 pub const dConeClass: c_int = 18;
 pub const dEllipsoidClass: c_int = 19;
 pub const dTaperedCapsuleClass: c_int = 20;
+pub const dVehicleMaxTorquePoints: c_int = 16;
+pub const dVehicleMaxGears: c_int = 10;
+pub const dVehicleMaxWheels: c_int = 32;
 /// What dJointGetType answers.
 pub type dJointType = c_uint;
 pub const dJointTypeNone: dJointType = 0;
@@ -720,6 +723,30 @@ pub const dStepperSubstepsExactJoints: dStepper = 2;
 pub const dStepperSubsteps: dStepper = 3;
 /// as dWorldQuickStep does
 pub const dStepperQuick: dStepper = 4;
+/// How a vehicle is driven and steered.
+pub type dVehicleKind = c_uint;
+/// by the angles of its wheels
+pub const dVehicleCar: dVehicleKind = 1;
+/// likewise, and it leans into curves by itself
+pub const dVehicleBike: dVehicleKind = 2;
+/// the wheels of each side turn together; the sides turn differently to steer
+pub const dVehicleTracked: dVehicleKind = 3;
+/// How a wheel finds what it stands on.
+pub type dWheelCast = c_uint;
+/// a ray through its hub: a disc on a plane. The cheapest
+pub const dWheelRay: dWheelCast = 1;
+/// a sphere of its radius: rolls over edges and kerbs
+pub const dWheelSphere: dWheelCast = 2;
+/// a cylinder of its radius and width: likewise, with its true outline
+pub const dWheelCylinder: dWheelCast = 3;
+/// How a differential divides: between the two wheels of an axle, or between axles.
+pub type dDifferential = c_uint;
+/// the same torque at any difference of speeds
+pub const dDifferentialOpen: dDifferential = 1;
+/// a clutch with at most the lock torque works against a difference
+pub const dDifferentialLimited: dDifferential = 2;
+/// one speed
+pub const dDifferentialLocked: dDifferential = 3;
 /// Flags of dInitODE2.
 pub type dInitODEFlags = c_uint;
 /// threads call dCleanupODEAllDataForThread themselves
@@ -1370,6 +1397,222 @@ pub struct dMass {
     pub c: dVector3,
     /// inertia about the body's origin, body axes, kg m^2
     pub I: dMatrix3,
+}
+/// What a vehicle is, but for its wheels. Each field ends with its default.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dVehicleSettings {
+    /// sizeof(dVehicleSettings), set by the caller or dVehicleSettingsInit
+    pub struct_size: c_uint,
+    /// a dVehicleKind. dVehicleCar
+    pub kind: c_int,
+    /// in the body's frame, of any length but 0, not along up. (1, 0, 0)
+    pub forward: dVector3,
+    /// likewise; the suspensions work along it. (0, 0, 1)
+    pub up: dVector3,
+    /// of the engine's curve at full throttle, 2 ... 16; straight between them. 5
+    pub torque_points: c_int,
+    /// rad/s, each above the one before, the first 0 or more;
+    /// the last is the limiter's. 0, 150, 350, 550, 650
+    pub engine_speeds: [dReal; 16],
+    /// N m, 0 or more. 120, 220, 300, 280, 240
+    pub engine_torques: [dReal; 16],
+    /// kg m^2, above 0. 0.2
+    pub engine_inertia: dReal,
+    /// N m at the limiter with closed throttle, in proportion to speed. 60
+    pub engine_drag: dReal,
+    /// rad/s, that the engine keeps by itself, 0 or more. 90
+    pub idle_speed: dReal,
+    /// 1: it shifts by itself between forward gears; 0: dVehicleSetGear alone. 1
+    pub automatic: c_int,
+    /// forward, 1 ... 10. 5
+    pub gears: c_int,
+    /// engine over shaft, above 0. 3.5, 2.1, 1.45, 1.1, 0.9
+    pub gear_ratios: [dReal; 10],
+    /// above 0. 3.3
+    pub reverse_ratio: dReal,
+    /// shaft over wheels, above 0. 3.8
+    pub final_ratio: dReal,
+    /// s without drive while it shifts, 0 or more. 0.2
+    pub shift_time: dReal,
+    /// of the engine, rad/s: the automatic gearbox shifts up above it. 580
+    pub shift_up_speed: dReal,
+    /// and down below it; it does not shift up to less. 230
+    pub shift_down_speed: dReal,
+    /// the greatest, N m, 0 or more. 700
+    pub clutch_torque: dReal,
+    /// a dDifferential, of each axle; of dVehicleTracked, of the sides. Open
+    pub differential: c_int,
+    /// of a limited one, N m, 0 or more. 200
+    pub lock_torque: dReal,
+    /// a dDifferential, between driven axles. Open
+    pub centre_differential: c_int,
+    /// of a limited one, N m, 0 or more. 200
+    pub centre_lock_torque: dReal,
+    /// rad, of a wheel in the middle with steer 1, 0 ... 1.4. 0.6
+    pub max_steer: dReal,
+    /// rad/s, that it turns with at most, above 0. 2
+    pub steer_speed: dReal,
+    /// 1: all axles point to one centre; 0: wheels of an axle are parallel. 1
+    pub ackermann: dReal,
+    /// N s^2/m^2: the air's force over the square of the speed, 0 or more. 0.4
+    pub drag: dReal,
+    /// N s^2/m^2, along minus up at the centre of mass, 0 or more. 0
+    pub downforce: dReal,
+    /// 1: brakes, not the handbrake, keep below locking. 0
+    pub abs: c_int,
+    /// rad/s, of dVehicleBike: how fast it leans; 0: it does not hold itself. 8
+    pub lean_frequency: dReal,
+    /// rad, 0 ... 1.4. 0.9
+    pub lean_limit: dReal,
+    /// its wheels meet geoms whose collide bits have one of these ... \~0ul
+    pub category_bits: c_ulong,
+    /// ... or whose category bits have one of these. \~0ul
+    pub collide_bits: c_ulong,
+}
+/// A wheel with suspension, tyre and brakes. Each field ends with its default.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dVehicleWheel {
+    /// sizeof(dVehicleWheel), set by the caller or dVehicleWheelInit
+    pub struct_size: c_uint,
+    /// a dWheelCast. dWheelRay
+    pub cast: c_int,
+    /// of the hub when the suspension hangs free, in the body's frame, m. (0, 0, 0)
+    pub position: dVector3,
+    /// m, above 0. 0.33
+    pub radius: dReal,
+    /// m, above 0. 0.2
+    pub width: dReal,
+    /// about its axle, with its brake and shaft, kg m^2, above 0. 1
+    pub inertia: dReal,
+    /// the two wheels with one number are a pair, 0 ... 31. 0
+    pub axle: c_int,
+    /// of the suspension, m, 0 or more. 0.25
+    pub travel: dReal,
+    /// N, of the spring that hangs free, 0 or more. 0
+    pub preload: dReal,
+    /// N/m, 0 or more. 30000
+    pub stiffness: dReal,
+    /// N s/m, where it is compressed, 0 or more. 3000
+    pub bump_damping: dReal,
+    /// N s/m, where it extends, 0 or more. 3000
+    pub rebound_damping: dReal,
+    /// N/m, beyond the travel, 0 or more. 300000
+    pub stop_stiffness: dReal,
+    /// N/m, times the difference of the pair's compressions, 0 or more. 0
+    pub anti_roll: dReal,
+    /// m above what it stands on, where lateral forces act on the chassis. 0
+    pub roll_centre: dReal,
+    /// mu forward at the nominal load, above 0. 1.1
+    pub friction_x: dReal,
+    /// mu sideways, likewise. 1
+    pub friction_y: dReal,
+    /// force over load for a small slip ratio, above 0. 18
+    pub stiffness_x: dReal,
+    /// force over load for a small slip angle (rad), above 0. 14
+    pub stiffness_y: dReal,
+    /// what is left of mu in full slip, 0 ... 1. 0.8
+    pub sliding: dReal,
+    /// N, above 0. 4000
+    pub nominal_load: dReal,
+    /// mu falls by this share where the load doubles, 0 ... 1. 0.05
+    pub load_sensitivity: dReal,
+    /// m, that it rolls while its force builds up, above 0. 0.3
+    pub relaxation: dReal,
+    /// force over load, 0 or more. 0.012
+    pub rolling_resistance: dReal,
+    /// times the vehicle's angle, -1 ... 1. 0
+    pub steer: dReal,
+    /// its share of the torque, of all shares, 0 or more. 0
+    pub drive: dReal,
+    /// N m at brake 1, 0 or more. 1500
+    pub brake_torque: dReal,
+    /// N m at handbrake 1, 0 or more. 0
+    pub handbrake_torque: dReal,
+}
+/// What the driver does. Each field ends with its default.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dVehicleControls {
+    /// sizeof(dVehicleControls), set by the caller
+    pub struct_size: c_uint,
+    /// 0 ... 1. 0
+    pub throttle: dReal,
+    /// 0 ... 1. 0
+    pub brake: dReal,
+    /// 0 ... 1. 0
+    pub handbrake: dReal,
+    /// -1 ... 1, above 0 to the left. 0
+    pub steer: dReal,
+    /// 0 ... 1: pressed, nothing is driven; an automatic clutch works besides. 0
+    pub clutch: dReal,
+}
+/// What the last update has done.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dVehicleReport {
+    /// sizeof(dVehicleReport), set by the caller
+    pub struct_size: c_uint,
+    /// -1 reverse, 0 neutral, 1 ... ; while it shifts the next
+    pub gear: c_int,
+    /// of the chassis along forward, m/s
+    pub speed: dReal,
+    /// rad/s
+    pub engine_speed: dReal,
+    /// N m
+    pub engine_torque: dReal,
+    /// N m, that the engine gives to the gearbox
+    pub clutch_torque: dReal,
+    /// 1: no drive, for it shifts
+    pub is_shifting: c_int,
+    /// how many stand on something
+    pub wheels_on_ground: c_int,
+    /// the angle that it steers, rad
+    pub steer: dReal,
+    /// rad, about forward, above 0 to the right
+    pub lean: dReal,
+    /// of the path that it steers, 1/m, above 0 to the left
+    pub curvature: dReal,
+}
+/// What the last update has done at a wheel. Without ground, its fields are 0.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dVehicleWheelReport {
+    /// sizeof(dVehicleWheelReport), set by the caller
+    pub struct_size: c_uint,
+    /// 1: it stands on something
+    pub on_ground: c_int,
+    /// the geom; 0: none, or it is destroyed
+    pub ground: dGeomID,
+    /// its triangle if it is a mesh, else -1
+    pub ground_side: c_int,
+    /// where
+    pub ground_pos: dVector3,
+    /// unit
+    pub ground_normal: dVector3,
+    /// the middle of the wheel, to draw it, with or without ground, m
+    pub hub: dVector3,
+    /// rad about up, above 0 to the left
+    pub steer: dReal,
+    /// that it has turned, rad, 0 ... 2 pi
+    pub angle: dReal,
+    /// rad/s, above 0 forward
+    pub spin: dReal,
+    /// of the suspension, m
+    pub compression: dReal,
+    /// N along the normal
+    pub load: dReal,
+    /// N, forward along the ground, on the vehicle
+    pub force_x: dReal,
+    /// N, to the left
+    pub force_y: dReal,
+    /// of its speed over the ground: above 0 it drives
+    pub slip_ratio: dReal,
+    /// rad, from where it points to where it moves, above 0 to the left
+    pub slip_angle: dReal,
+    /// both together: from 1 on it slides.
+    pub slip: dReal,
 }
 /// An object of a world and its counterpart in the clone: dWorldID, dBodyID, dJointID, dGeomID or dSpaceID.
 #[repr(C)]
@@ -2861,6 +3104,70 @@ extern "C" {
     /// no world changed: worlds that are 0, destroyed, in a step or in the array twice; a null array with a
     /// count above 0; another stepper; other numbers; a stepsize that dWorldStep would refuse.
     pub fn dWorldsStep(worlds: *const dWorldID, count: c_int, stepsize: dReal, stepper: c_int, iterations: c_int, steps: c_int, threads: c_int, steps_made: *mut c_int) -> c_int;
+    /// Fills \*settings with the default of every field and writes struct\_size, which is sizeof(dVehicleSettings),
+    /// to it: dVehicleSettingsInit(&settings, sizeof settings). Returns 1.
+    pub fn dVehicleSettingsInit(settings: *mut dVehicleSettings, struct_size: c_uint) -> c_int;
+    /// Fills \*wheel with the default of every field and writes struct\_size, which is sizeof(dVehicleWheel), to
+    /// it: dVehicleWheelInit(&wheel, sizeof wheel). Returns 1.
+    pub fn dVehicleWheelInit(wheel: *mut dVehicleWheel, struct_size: c_uint) -> c_int;
+    /// Make the body a \`vehicle\` without wheels, in its first \`gear\`, the engine at idle; null settings are the defaults.
+    /// A history (dWorldSetHistory) cannot take it back to before. Returns 1. Refused: a body that is a \`vehicle\`
+    /// already.
+    pub fn dVehicleCreate(body: dBodyID, settings: *const dVehicleSettings) -> c_int;
+    /// Returns 1 if the body is a \`vehicle\`, else 0.
+    pub fn dBodyIsVehicle(body: dBodyID) -> c_int;
+    /// Give the vehicle other settings; a \`gear\` that it does not have any more becomes the
+    /// highest. Returns 1. Refused: what dVehicleCreate refuses.
+    ///
+    /// The settings.
+    pub fn dVehicleSetSettings(vehicle: dBodyID, settings: *const dVehicleSettings) -> c_int;
+    /// Write the settings to \*settings, whose struct\_size the caller has set. Returns 1.
+    ///
+    /// The settings.
+    pub fn dVehicleGetSettings(vehicle: dBodyID, settings: *mut dVehicleSettings) -> c_int;
+    /// Add a wheel that does not turn; a null wheel is the default. Returns how many it has
+    /// now: the number of the new one plus 1. Refused: more than dVehicleMaxWheels; a third wheel of an axle of
+    /// a dVehicleCar.
+    ///
+    /// The wheels.
+    pub fn dVehicleAddWheel(vehicle: dBodyID, wheel: *const dVehicleWheel) -> c_int;
+    /// Return how many it has.
+    ///
+    /// The wheels.
+    pub fn dVehicleGetNumWheels(vehicle: dBodyID) -> c_int;
+    /// Give one other settings; it keeps its speed. Returns 1.
+    ///
+    /// The wheels.
+    pub fn dVehicleSetWheel(vehicle: dBodyID, wheel: c_int, settings: *const dVehicleWheel) -> c_int;
+    /// Write one to \*out, whose struct\_size the caller has set. Returns 1.
+    ///
+    /// The wheels.
+    pub fn dVehicleGetWheel(vehicle: dBodyID, wheel: c_int, out: *mut dVehicleWheel) -> c_int;
+    /// Set it; a change wakes a vehicle that has fallen asleep. Returns 1.
+    ///
+    /// What the driver does, until it is changed.
+    pub fn dVehicleSetControls(vehicle: dBodyID, controls: *const dVehicleControls) -> c_int;
+    /// Write it to \*controls, whose struct\_size the caller has set. Returns 1.
+    ///
+    /// What the driver does, until it is changed.
+    pub fn dVehicleGetControls(vehicle: dBodyID, controls: *mut dVehicleControls) -> c_int;
+    /// Shift: -1 reverse, 0 neutral, 1 ... forward. It takes the shift time. An automatic gearbox goes on from
+    /// there, and never leaves reverse or neutral by itself. Returns 1. Refused: a gear that it does not
+    /// have.
+    pub fn dVehicleSetGear(vehicle: dBodyID, gear: c_int) -> c_int;
+    /// Let wheels, engine and gears act for a step of h seconds: their forces join those of the program on the
+    /// chassis and on the bodies under it, for the next step of the world. Call it once for each dWorldStep,
+    /// before it, after the program's own forces on the chassis. A vehicle that sleeps costs nothing; it wakes when the
+    /// throttle is open in a \`gear\` or what it stands on moves. Returns how many wheels stand on something.
+    pub fn dVehicleUpdate(vehicle: dBodyID, h: dReal) -> c_int;
+    /// The vehicle.
+    ///
+    /// Write what the last update has done to \*report, whose struct\_size the caller has set. Return 1.
+    pub fn dVehicleGetReport(vehicle: dBodyID, report: *mut dVehicleReport) -> c_int;
+    /// One of its wheels.
+    ///
+    /// Write what the last update has done to \*report, whose struct\_size the caller has set. Return 1.
+    pub fn dVehicleGetWheelReport(vehicle: dBodyID, wheel: c_int, report: *mut dVehicleWheelReport) -> c_int;
     /// Create a world like this one and geoms like those of \*space, which becomes the new space;
     /// space may be 0. Write to table the handles of world, bodies, joints and geoms, as many as capacity says:
     /// the oldest first, spaces before their members. Capacity 0: table may be 0. Returns the new world.

@@ -43,6 +43,7 @@ pub const HEADERS: &[&str] = &[
     "ode/threading.h",
     "ode/threading_impl.h",
     "ode/timer.h",
+    "ode/vehicle.h",
     "ode/version.h",
     "ode/world_file.h",
     "epode/batch.h",
@@ -78,6 +79,11 @@ macro_rules! ode_structures {
         dIslandStepReport { struct_size method body bodies joints rows iterations factorisations fallback contained residual joint_error joint_angle_error penetration energy_before energy_after projection_iterations projection_unconverged projection_error stopped_bodies friction_error raised_bodies raised_residual unsolved_joint unsolved_joints }
         dEnergyLedger { struct_size islands body kinetic_before kinetic_after potential_before potential_after gravity forces drives friction impacts joints damping correction integration }
         dMass { mass c I }
+        dVehicleSettings { struct_size kind forward up torque_points engine_speeds engine_torques engine_inertia engine_drag idle_speed automatic gears gear_ratios reverse_ratio final_ratio shift_time shift_up_speed shift_down_speed clutch_torque differential lock_torque centre_differential centre_lock_torque max_steer steer_speed ackermann drag downforce abs lean_frequency lean_limit category_bits collide_bits }
+        dVehicleWheel { struct_size cast position radius width inertia axle travel preload stiffness bump_damping rebound_damping stop_stiffness anti_roll roll_centre friction_x friction_y stiffness_x stiffness_y sliding nominal_load load_sensitivity relaxation rolling_resistance steer drive brake_torque handbrake_torque }
+        dVehicleControls { struct_size throttle brake handbrake steer clutch }
+        dVehicleReport { struct_size gear speed engine_speed engine_torque clutch_torque is_shifting wheels_on_ground steer lean curvature }
+        dVehicleWheelReport { struct_size on_ground ground ground_side ground_pos ground_normal hub steer angle spin compression load force_x force_y slip_ratio slip_angle slip }
         dHandlePair { original copy }
         dWorldStepReserveInfo { struct_size reserve_factor reserve_minimum }
         dWorldStepMemoryFunctionsInfo { struct_size alloc_block shrink_block free_block }
@@ -325,6 +331,9 @@ macro_rules! ode_numbers {
         dConeClass
         dEllipsoidClass
         dTaperedCapsuleClass
+        dVehicleMaxTorquePoints
+        dVehicleMaxGears
+        dVehicleMaxWheels
         dJointTypeNone
         dJointTypeBall
         dJointTypeHinge
@@ -412,6 +421,15 @@ macro_rules! ode_numbers {
         dStepperSubstepsExactJoints
         dStepperSubsteps
         dStepperQuick
+        dVehicleCar
+        dVehicleBike
+        dVehicleTracked
+        dWheelRay
+        dWheelSphere
+        dWheelCylinder
+        dDifferentialOpen
+        dDifferentialLimited
+        dDifferentialLocked
         dInitFlagManualThreadCleanup
         dAllocateFlagBasicData
         dAllocateFlagCollisionData
@@ -812,6 +830,22 @@ macro_rules! ode_functions {
         dWorldSetHybridBudget
         dWorldGetHybridBudget
         dWorldsStep
+        dVehicleSettingsInit
+        dVehicleWheelInit
+        dVehicleCreate
+        dBodyIsVehicle
+        dVehicleSetSettings
+        dVehicleGetSettings
+        dVehicleAddWheel
+        dVehicleGetNumWheels
+        dVehicleSetWheel
+        dVehicleGetWheel
+        dVehicleSetControls
+        dVehicleGetControls
+        dVehicleSetGear
+        dVehicleUpdate
+        dVehicleGetReport
+        dVehicleGetWheelReport
         dWorldClone
         dWorldCountHandles
         dWorldSave

@@ -15,6 +15,14 @@ impl Body<'_> {
         Stepper::of_number(r)
     }
 
+    /// Returns 1 if the body is a \`vehicle\`, else 0.
+    ///
+    /// C: `dBodyIsVehicle`.
+    pub fn is_vehicle(&self) -> bool {
+        let r = sure(|| unsafe { sys::dBodyIsVehicle(self.raw()) });
+        r != 0
+    }
+
     /// The body's position, 3 reals, m.
     ///
     /// C: `dBodyGetPosition`.
