@@ -24,11 +24,11 @@ Real left_of(const Vehicle& vehicle, int i)
 }
 
 // How fast the sides turn against each other.
-struct Sides {
+struct TrackSpeeds {
     Real left = 1, right = 1;
 };
 
-Sides sides_of(const Vehicle& vehicle)
+TrackSpeeds sides_of(const Vehicle& vehicle)
 {
     const Real limit = vehicle.settings.max_steer, s = limit > 0 ? vehicle.steer / limit : Real(0);
     return {1 - 2 * std::max(s, Real(0)), 1 + 2 * std::min(s, Real(0))};
@@ -38,7 +38,7 @@ Sides sides_of(const Vehicle& vehicle)
 void make_shares(const Vehicle& vehicle, Real* share)
 {
     if (vehicle.settings.kind == dVehicleTracked) {
-        const Sides sides = sides_of(vehicle);
+        const TrackSpeeds sides = sides_of(vehicle);
         const Real sum = sides.left * sides.left + sides.right * sides.right;
         share[0] = sides.left / sum, share[1] = sides.right / sum;
         return;
@@ -110,7 +110,7 @@ bool make_clutch(const Vehicle& vehicle, Real h, ShaftRow& row)
 
 bool make_sides(const Vehicle& vehicle, Real h, ShaftRow& row)
 {
-    const Sides sides = sides_of(vehicle);
+    const TrackSpeeds sides = sides_of(vehicle);
     row.set(0, sides.right), row.set(1, -sides.left);
     return limit_of(vehicle.settings.differential, vehicle.settings.lock_torque, h, row);
 }

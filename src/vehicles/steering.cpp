@@ -9,22 +9,22 @@
 namespace epode {
 namespace {
 
-struct Axes {
+struct SteerAxes {
     Vec3 forward, left;
 };
 
-Axes axes_of(const dVehicleSettings& s)
+SteerAxes axes_of(const dVehicleSettings& s)
 {
     const Vec3 up = normalized_or(load(s.up), {0, 0, 1});
     const Vec3 left = normalized_or(cross(up, load(s.forward)), {0, 1, 0});
     return {cross(left, up), left};
 }
 
-struct Line {
+struct ShareLine {
     Real slope = 0, root = 0;
 };
 
-Line line_through_shares(const Vehicle& vehicle, Vec3 forward)
+ShareLine line_through_shares(const Vehicle& vehicle, Vec3 forward)
 {
     Real n = 0, sx = 0, sf = 0, sxx = 0, sxf = 0;
     for (const VehicleWheel& wheel : vehicle.all_wheels()) {
@@ -47,8 +47,8 @@ void steer(Vehicle& vehicle, Real h)
     vehicle.steer += std::clamp(wanted - vehicle.steer, -change, change);
     vehicle.curvature = 0;
     if (s.kind == dVehicleTracked) return;
-    const Axes axes = axes_of(s);
-    const Line line = line_through_shares(vehicle, axes.forward);
+    const SteerAxes axes = axes_of(s);
+    const ShareLine line = line_through_shares(vehicle, axes.forward);
     vehicle.curvature = line.slope * tangent(vehicle.steer);
     for (VehicleWheel& wheel : vehicle.all_wheels()) {
         const dVehicleWheel& w = wheel.settings;

@@ -23,7 +23,7 @@ Mat3 inverse_inertia(const Body& body)
     return from_columns(x, y, z);
 }
 
-Mover mover_of(Body& body)
+MovedBody moved_body(Body& body)
 {
     return {&body,           body.inv_mass,   inverse_inertia(body),
             body.position(), body.velocity(), body.angular_velocity()};
@@ -66,7 +66,7 @@ WheelForces::WheelForces(Body& chassis, Real h)
 // v* and w*, but for the air: that depends on the velocity.
 void WheelForces::take_chassis()
 {
-    chassis_ = mover_of(body_);
+    chassis_ = moved_body(body_);
     const dVehicleSettings& s = vehicle_.settings;
     const Vec3 v = chassis_.v;
     const Real speed = length(v);
@@ -82,7 +82,7 @@ int WheelForces::ground_of(Body* body)
 {
     for (int k = 0; k < ground_count_; ++k)
         if (grounds_[k].body == body) return k;
-    if (body) grounds_[ground_count_] = mover_of(*body);
+    if (body) grounds_[ground_count_] = moved_body(*body);
     return ground_count_++;
 }
 
@@ -104,7 +104,7 @@ void WheelForces::make_lines(int i, Stand& at, const WheelContact& contact)
 {
     const dVehicleWheel& w = vehicle_.wheels[i].settings;
     const Vec3 n = contact.normal, arm = contact.pos - chassis_.centre;
-    const Mover& ground = grounds_[at.ground];
+    const MovedBody& ground = grounds_[at.ground];
     const Vec3 t = normalized_or(cross(frame_.axle_of(vehicle_.wheels[i].steer), n), frame_.forward);
     const Vec3 hub = body_.pose().R * load(w.position) + contact.compression * frame_.up;
     const Vec3 raised = w.roll_centre * frame_.up;
@@ -149,7 +149,7 @@ void WheelForces::advance_bristles(int i, Stand& at)
 {
     VehicleWheel& wheel = vehicle_.wheels[i];
     const Vec3 v = body_.velocity(), w = body_.angular_velocity();
-    const Mover& ground = grounds_[at.ground];
+    const MovedBody& ground = grounds_[at.ground];
     const auto moves = [&](const Line& line) {
         return dot(v + cross(w, line.arm) - ground.velocity_at(line.arm_ground) - at.drift, line.d);
     };

@@ -26,7 +26,7 @@
 namespace epode {
 
 // A body that takes part: what impulses do to it.
-struct Mover {
+struct MovedBody {
     Body* body = nullptr;  // null: it does not move by impulses
     Real inv_mass = 0;
     Mat3 inv_inertia;  // in the world
@@ -100,9 +100,9 @@ class WheelForces {
     Vehicle& vehicle_;
     VehicleFrame frame_;
     Real h_;
-    Mover chassis_;
+    MovedBody chassis_;
     Stand stands_[dVehicleMaxWheels];
-    Mover grounds_[dVehicleMaxWheels];
+    MovedBody grounds_[dVehicleMaxWheels];
     int ground_count_ = 0;
     Real speed_[dVehicleMaxWheels] = {}, inv_spin_inertia_[dVehicleMaxWheels] = {};
     Vec3 axle_[dVehicleMaxWheels];
