@@ -5,6 +5,8 @@
 // the step or the stepper.
 #include "road.h"
 
+#ifdef dIDEDOUBLE  // the bounds are those of doubles
+
 namespace epode::vehicles {
 namespace {
 
@@ -281,3 +283,4 @@ TEST_P(Cornering, turns_tracks_on_the_spot)
 
 }  // namespace
 }  // namespace epode::vehicles
+#endif

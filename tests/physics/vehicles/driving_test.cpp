@@ -4,6 +4,8 @@
 // Vehicles that go straight: engine, gears, brakes, the air.
 #include "road.h"
 
+#ifdef dIDEDOUBLE  // the bounds are those of doubles
+
 namespace epode::vehicles {
 namespace {
 
@@ -273,3 +275,4 @@ TEST_P(Driving, gives_the_ground_what_it_gets)
 
 }  // namespace
 }  // namespace epode::vehicles
+#endif

@@ -4,6 +4,8 @@
 // What wheels stand on: kerbs, slopes, meshes, belts, platforms that move, sleepers.
 #include "road.h"
 
+#ifdef dIDEDOUBLE  // the bounds are those of doubles
+
 namespace epode::vehicles {
 namespace {
 
@@ -194,3 +196,4 @@ TEST(Ground, lets_a_sleeping_vehicle_lie)
 
 }  // namespace
 }  // namespace epode::vehicles
+#endif

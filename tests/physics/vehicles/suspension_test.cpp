@@ -4,6 +4,8 @@
 // Vehicles on their springs: loads, frequencies, damping, roll.
 #include "road.h"
 
+#ifdef dIDEDOUBLE  // the bounds are those of doubles
+
 namespace epode::vehicles {
 namespace {
 
@@ -160,3 +162,4 @@ TEST(SuspensionLayouts, stand_on_two_to_thirty_two_wheels)
 
 }  // namespace
 }  // namespace epode::vehicles
+#endif
