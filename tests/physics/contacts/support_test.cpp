@@ -101,7 +101,9 @@ TEST(TableOnFourLegs, without_softness_still_balances_and_keeps_still)
 {
     for (const auto& order : kOrders) {
         const auto f = leg_forces(Stepper::kExact, 0.1, -0.2, order, 1, 0);
-        const double tolerance = tol(1e-8, 2e-3);
+        // A contact may close by eight epsilon of its place (0.8 m) in a step, for which no force acts.
+        const double closing = 12 * 8 * kEpsilon * 0.8 / (0.01 * 0.01);
+        const double tolerance = tol(1e-8, 2e-3) + closing;
         EXPECT_NEAR(f[0] + f[1] + f[2] + f[3], 12 * kG, tolerance);
         EXPECT_NEAR(0.8 * (f[0] + f[1] - f[2] - f[3]), 0.1 * 12 * kG, tolerance);
         EXPECT_NEAR(0.5 * (f[0] - f[1] + f[2] - f[3]), -0.2 * 12 * kG, tolerance);

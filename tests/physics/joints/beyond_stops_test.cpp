@@ -71,7 +71,8 @@ TEST(BeyondStops, joints_come_back_without_a_speed_in_the_presets)
                 }
 }
 
-// ERP / h of the error is 5 rad/s at 10 ms and 50 at 1 ms.
+// ERP / h of the error is 5 rad/s at 10 ms and 50 at 1 ms. The row's CFM C takes of it what it yields under the impulse that
+// makes it, v (1 + C m / h) = ERP/h error: with behaviour 0.16 the default is literal, 1e-5 in floats.
 TEST(BeyondStops, joints_are_thrown_as_ode_throws_them_with_its_values)
 {
     for (const double h : {0.01, 0.001}) {
@@ -86,7 +87,7 @@ TEST(BeyondStops, joints_are_thrown_as_ode_throws_them_with_its_behaviour)
     Beyond at(dDefaultsGame, false);
     dWorldSetBehaviour(at.world, dBehaviour016);
     dWorldStep(at.world, real(0.001));
-    EXPECT_NEAR(at.rate(), 0.2 * kLow / 0.001, tol(1e-3, 1e-1));
+    EXPECT_NEAR(at.rate(), 0.2 * kLow / 0.001 / (1 + tol(1e-10, 1e-5) * 1 / 0.001), tol(1e-3, 1e-2));
 }
 
 // 1 rad takes a second, longer than idle bodies stay awake.

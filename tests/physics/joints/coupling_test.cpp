@@ -302,6 +302,10 @@ TEST(Coupling, is_in_the_state)
     EXPECT_EQ(dWorldSetState(b.sim.world, state.data(), size), 0);
 }
 
+// What rounding leaves in the residual: half an epsilon of sum |J_k v_k| of a row, whose terms, of some m/s, are up to 200
+// times the scale, the h g of a step.
+constexpr double kPromise = tol(1e-9, 100 * kEpsilon);
+
 // Contacts and bounded rows together with a rigid coupling: the exact solver keeps its promise.
 TEST(Coupling, exact_residual_with_contacts)
 {
@@ -331,7 +335,7 @@ TEST(Coupling, exact_residual_with_contacts)
         sim.step(0.01);
         worst = std::max(worst, sim.report().residual);
     }
-    EXPECT_LT(worst, 1e-9);
+    EXPECT_LT(worst, kPromise);
     EXPECT_GT(std::fabs(velocity(cart).x), 0.1);
     EXPECT_LT(std::fabs(double(dJointGetAxisPosition(couplings[0], 0))), tol(1e-4, 1e-3));
 }
@@ -358,7 +362,7 @@ TEST(Coupling, redundant_couplings_keep_the_exact_promise)
     for (int i = 0; i < 200; ++i) {
         ASSERT_EQ(dWorldStep(sim.world, real(0.01)), 1);
         const dWorldStepReport report = sim.report();
-        ASSERT_LT(double(report.residual), tol(1e-9, 1e-6)) << "step " << i;
+        ASSERT_LT(double(report.residual), kPromise) << "step " << i;
         ASSERT_EQ(report.contained_islands, 0) << "step " << i;
     }
     EXPECT_TRUE(finite_state(sim));

@@ -2,15 +2,15 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What joints yield under a load F in steps of h: J v = 0 = ERP/h error - CFM F, so error = CFM F h/ERP. The default
-// CFM is literal up to h/100 times the inverse mass, or about an axis the inverse inertia; beyond, the yield no
-// longer grows with the mass: it is that of h/100 of the velocity which the load gives in a step. Every other CFM
+// CFM is literal up to h/2000 times the inverse mass, or about an axis the inverse inertia; beyond, the yield no
+// longer grows with the mass: it is that of h/2000 of the velocity which the load gives in a step. Every other CFM
 // is literal for whatever mass.
 #include "rig.h"
 
 namespace epode::physics::default_softness {
 namespace {
 
-constexpr double kDefault = tol(1e-10, 1e-5), kUnit = 1.0 / 100, kErp = 0.2;
+constexpr double kDefault = tol(1e-10, 1e-5), kUnit = tol(1.0 / 2000, 2e-6), kErp = 0.2;
 constexpr double kLightest = 1e-3, kHeaviest = 1e10;
 
 class DefaultSoftness : public testing::TestWithParam<Stepper> {};

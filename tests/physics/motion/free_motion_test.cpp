@@ -161,7 +161,9 @@ TEST_P(FreeFlight, a_symmetric_top_circles_its_angular_momentum_at_L_over_I1)
     const double coarse = precession_after_a_second(GetParam(), 1 / 128., i1, i3, w) - rate;
     const double fine = precession_after_a_second(GetParam(), 1 / 512., i1, i3, w) - rate;
     EXPECT_LT(std::fabs(fine), 0.01 * rate) << "0.2 % of a radian per step";
-    EXPECT_LT(std::fabs(fine), 0.4 * std::fabs(coarse)) << "first order: a quarter, with a margin";
+    // Each of 512 steps rounds the orientation, by up to an epsilon.
+    EXPECT_LT(std::fabs(fine), 0.4 * std::fabs(coarse) + 512 * kEpsilon)
+        << "first order: a quarter, with a margin";
 }
 
 // Largest rise of the energy in one step and drift of |L|, both relative, of a box tumbling for two seconds.

@@ -67,7 +67,10 @@ class Shake {
             const Real merit = merit_;
             if (!correct()) break;
             go_on(1);
-            if (!(merit_ < kGain * merit)) return go_on(-1), changed;
+            if (!(merit_ < kGain * merit)) {
+                go_on(-1);
+                break;
+            }
             changed = true;
         }
         if (changed) hold_velocities();

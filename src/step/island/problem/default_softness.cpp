@@ -11,8 +11,12 @@
 namespace epode {
 namespace {
 
-// Substeps do not take the default for a spring that somebody wants.
-constexpr Real kShareOfStep = Real(0.01), kShareOfSubstep = kSoftShare / 2;
+// Of joints: sixteen epsilon in floats, which keep the last digits of a solution from redundant rows. Of contacts: where a
+// step is one, how a load is shared by more points than it needs is as well determined as digits allow.
+constexpr Real kShareOfJoints = kSingle ? Real(2e-6) : kSoftShare / 2;
+constexpr Real kShareOfContacts = Real(0.01), kShareOfContactsInSubsteps = kSoftShare / 2;
+static_assert(kShareOfJoints <= kSoftShare / 2,
+              "substeps and the projection do not take the default for a spring");
 
 // Is an eigenvalue of M^-1 below x? The least of the inverse inertia S is at least 4 det S / (tr S)^2, because the
 // other two multiply to at most (tr S / 2)^2. In double: det S of a body of 50 m is beyond floats.
@@ -34,12 +38,13 @@ class Limits {
         : system_(system),
           hs_(hs),
           later_(1 - hs / system.h),
-          share_(hs < system.h ? kShareOfSubstep : kShareOfStep)
+          contacts_(hs < system.h ? kShareOfContactsInSubsteps : kShareOfContacts)
     {}
 
     bool matter() const
     {
-        const double least = double(kDefaultCfm) / (double(share_) * double(hs_) * double(1 - later_));
+        const double least =
+            double(kDefaultCfm) / (double(kShareOfJoints) * double(hs_) * double(1 - later_));
         return std::any_of(system_.bodies.begin(), system_.bodies.end(),
                            [least](const SolverBody& body) { return is_heavy(body, least); });
     }
@@ -50,7 +55,8 @@ class Limits {
             Row& row = system_.rows[std::size_t(i)];
             if (!has_default_softness(row)) continue;
             const Real erp = row.kind == RowKind::kFriction ? 0 : row.erp;
-            const Real d = inverse_mass(block, row), largest = share_ * hs_ * (1 - erp * later_) * d;
+            const Real share = block.contact ? contacts_ : kShareOfJoints;
+            const Real d = inverse_mass(block, row), largest = share * hs_ * (1 - erp * later_) * d;
             if (!(d > 0) || row.cfm <= largest) continue;
             row.cfm = largest;
             system_.numbers[std::size_t(i)].C = largest / system_.h;
@@ -59,7 +65,7 @@ class Limits {
 
     void limit(JointManifold& m)
     {
-        const Real largest = share_ * (mass_share(m.body1) + mass_share(m.body2));
+        const Real largest = contacts_ * (mass_share(m.body1) + mass_share(m.body2));
         if (!(largest > 0)) return;
         const auto apply = [&](Real& C) {
             if (C == kDefaultCfm * (1 / system_.h)) C = std::min(C, largest);
@@ -82,7 +88,8 @@ class Limits {
     }
 
     RowSystem& system_;
-    Real hs_, later_, share_;  // later: the share of the step after its first inner one
+    Real hs_, later_;  // later: the share of the step after its first inner one
+    Real contacts_;
 };
 
 }  // namespace

@@ -7,8 +7,10 @@
 //   CFM <= s hs (1 - ERP (1 - hs/h)) d,    d = 1/m1 + 1/m2, of rows that only turn a.(I1^-1 + I2^-1) a,
 //
 // with which n bodies on top of one another lose at most n s g h of velocity in a step h, whatever their size. hs: the
-// inner step, at which the limit is s d (solve/common/substep_rows.h). s is 1/100, in substeps 1/2000: half of
-// kSoftShare, so that they do not take the default for a spring that somebody wants. d leaves out what lever arms add, so the points of a manifold stay
+// inner step, at which the limit is s d (solve/common/substep_rows.h). s of a joint is 1/2000, half of kSoftShare, so that
+// neither substeps nor the projection (positions/position_rows.h) take the default for a spring that somebody wants. In floats
+// it is 2e-6, or bridges and walls sag by what shows, each method by its own h or hs, and jump when the methods take turns. s
+// of a contact is 1/100, in substeps 1/2000. d leaves out what lever arms add, so the points of a manifold stay
 // alike. Any other CFM is the program's, and is literal. ODE has no such limit.
 #pragma once
 
