@@ -62,7 +62,8 @@ typedef enum {
     dIslandMethodInteriorPoint,      /**< exact: interior point, then the active set from its answer */
     dIslandMethodSweeps,             /**< dWorldQuickStep */
     dIslandMethodSubsteps,           /**< dWorldStepFast1 */
-    dIslandMethodSubstepsExactJoints /**< substeps with all joints solved together */
+    dIslandMethodSubstepsExactJoints, /**< substeps with all joints solved together */
+    dIslandMethodJointCoordinates     /**< exact: in joint coordinates (dWorldSetJointCoordinates) */
 } dIslandMethod;
 
 /** What the last step did with one island. Fields as in dWorldStepReport. */

@@ -65,6 +65,15 @@ ODE_API int dWorldGetManifoldFriction(dWorldID world);
 ODE_API void dWorldSetExactRotation(dWorldID world, int mode);
 ODE_API int dWorldGetExactRotation(dWorldID world);
 
+/** - dWorldSetJointCoordinates: Choose whether dWorldStep solves islands of robots in the coordinates of their joints (mode 1) or of
+      their bodies (mode 0, the default): joints then stay closed to rounding, and a step of a robot costs a fraction. It does so where
+      hinges, sliders, balls and fixed joints make no loops, have no springs of their own and are closed to the tolerance of
+      dWorldSetStepProjection; contacts, stops, motors and drives may act. Other islands are solved as in mode 0:
+      dIslandStepReport::method says how. Other values are refused, as is a call during a step.
+    - dWorldGetJointCoordinates: The mode that dWorldSetJointCoordinates has set, 0 at first. [ours] */
+ODE_API void dWorldSetJointCoordinates(dWorldID world, int mode);
+ODE_API int dWorldGetJointCoordinates(dWorldID world);
+
 /** - dWorldSetExactSubsteps: Set into how many equal substeps (count) dWorldStep divides its step; 1 is the
       default. Each is an exact solve with the poses, joints and stops of that moment, after one collision.
       ERP and CFM keep their meaning for the whole step, forces are held over it, and joint feedback is the

@@ -241,6 +241,20 @@ int dWorldGetExactRotation(dWorldID w)
     return world->exact_rotation;
 }
 
+void dWorldSetJointCoordinates(dWorldID w, int mode)
+{
+    EPODE_WORLD_OR();
+    EPODE_USER(mode == 0 || mode == 1);
+    EPODE_USER_SAY(!is_busy(*world), busy_text(*world));
+    world->joint_coordinates = mode != 0;
+}
+
+int dWorldGetJointCoordinates(dWorldID w)
+{
+    EPODE_WORLD_OR(0);
+    return world->joint_coordinates;
+}
+
 void dWorldSetFrictionCone(dWorldID w, int mode)
 {
     EPODE_WORLD_OR();

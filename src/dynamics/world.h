@@ -57,6 +57,7 @@ struct World : Tagged {
     int auto_enable_depth = 3;       // of the 0.039 guide; stored, never used by it either
     bool exact_rotation = false;     // of dWorldStep and dWorldQuickStep
     int exact_substeps = 1;          // of dWorldStep
+    bool joint_coordinates = false;  // in dWorldStep, of islands of trees
     int projection_iterations = 0;   // of positions after dWorldStep; 0: none
     Real projection_tolerance = kSingle ? Real(1e-3) : Real(1e-4);
     int hybrid_stepper = 0;            // of islands without requests (dStepper); 0: by the model

@@ -13,6 +13,7 @@
 #include "step/island/warm_start.h"
 #include "step/island/write_back.h"
 #include "step/steppers/exact_substeps.h"
+#include "step/steppers/exact_tree.h"
 #include "step/steppers/stepper.h"
 
 namespace epode {
@@ -90,6 +91,16 @@ Outcome step_once(IslandRun& run)
     if (projects) leave_depth_to_projection(run.world, work);
     const bool closes_stops = !projects && may_move && leave_stops_to_poses(run.world, work.system);
     load_warm_start(run, {});
+    if (!closes_stops) switch (step_in_tree(run)) {
+            case TreeOutcome::kMade:
+                return Outcome::kMade;
+            case TreeOutcome::kRefused:
+                return Outcome::kRefused;
+            case TreeOutcome::kNoMemory:
+                return Outcome::kNoMemory;
+            case TreeOutcome::kNotInTree:
+                break;
+        }
     const bool solved = solve_in_budget(run);
     if (run.arena.failed()) return Outcome::kNoMemory;
     if (run.solved.gave_up) return Outcome::kGaveUp;

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "step/steppers/exact_tree.h"
+
+#include <algorithm>
+
+#include "dynamics/joint_drives.h"
+#include "solve/common/stored_residual.h"
+#include "step/island/containment.h"
+#include "step/island/report.h"
+#include "step/island/tree/tree_motion.h"
+#include "step/island/warm_start.h"
+#include "step/island/write_back.h"
+
+namespace epode {
+namespace {
+
+LinkJoint kind_of(const Joint& joint)
+{
+    switch (joint.type->number) {
+        case dJointTypeBall:
+            return LinkJoint::kBall;
+        case dJointTypeHinge:
+            return LinkJoint::kHinge;
+        case dJointTypeSlider:
+            return LinkJoint::kSlider;
+        case dJointTypeFixed:
+            return LinkJoint::kFixed;
+        default:
+            return LinkJoint::kNone;
+    }
+}
+
+bool is_still(const RowSystem& system, int body)
+{
+    if (body < 0 || system.bodies[std::size_t(body)].inv_mass > 0) return true;
+    const SolverBody& its = system.bodies[std::size_t(body)];
+    return its.v == Vec3{} && its.w == Vec3{};
+}
+
+bool is_rigid_and_closed(const Row& row, Real arms, Real tolerance)
+{
+    const bool rigid = row.kind == RowKind::kLock && row.lo == -kInf && row.hi == kInf && !row.drive && !row.given &&
+                       row.cfm <= kDefaultCfm;
+    const bool turns = row.lin1 == Vec3{};
+    return rigid && std::fabs(row.error) <= (turns ? tolerance : tolerance * arms);
+}
+
+class TreeRun {
+  public:
+    explicit TreeRun(IslandRun& run) : run_(run), work_(run.work), system_(run.work.system), arena_(run.arena) {}
+
+    bool is_wanted() const
+    {
+        return run_.world.joint_coordinates && !run_.world.acts_as_ode() && !run_.has_parts() && run_.raised == 0 &&
+               system_.joint_contacts.manifolds.empty() && system_.contact_manifolds.empty() &&
+               !work_.joints.empty();
+    }
+
+    TreeOutcome step()
+    {
+        Arena::Scope scope(arena_);
+        if (!choose_kinds()) return failed(TreeOutcome::kNotInTree);
+        const auto centres = arena_.take<Vec3>(int(system_.bodies.size()));
+        if (arena_.failed()) return TreeOutcome::kNoMemory;
+        for (std::size_t i = 0; i < centres.size(); ++i) centres[i] = work_.island.bodies[i]->position();
+        if (!tree_.build(system_, centres, kinds_, arena_)) return TreeOutcome::kNoMemory;
+        if (!tree_.is_tree()) return TreeOutcome::kNotInTree;
+        if (!solve_.prepare(system_, tree_, arena_)) return TreeOutcome::kNoMemory;
+        if (!solve_.fits()) return TreeOutcome::kNotInTree;
+        if (!motion_.begin(run_.world, work_, tree_, solve_, wants_impulses(), arena_)) return TreeOutcome::kNoMemory;
+        SolveReport report;
+        if (!solve_.solve(report)) return TreeOutcome::kNotInTree;
+        report.method = dIslandMethodJointCoordinates;
+        run_.solved = report;
+        return finish();
+    }
+
+  private:
+    TreeOutcome failed(TreeOutcome otherwise) const { return arena_.failed() ? TreeOutcome::kNoMemory : otherwise; }
+
+    bool choose_kinds()
+    {
+        for (const Body* body : work_.island.bodies)
+            if (body->max_angular_speed < kInf || !(body->finite_axis == Vec3{})) return false;
+        kinds_ = arena_.take<LinkJoint>(int(work_.joints.size()));
+        if (arena_.failed()) return false;
+        bool any = false;
+        for (std::size_t k = 0; k < kinds_.size(); ++k) {
+            kinds_[k] = kind_of(*work_.joints[k]);
+            if (!is_of_kind(system_.blocks[k], kinds_[k])) return false;
+            any |= kinds_[k] != LinkJoint::kNone;
+        }
+        return any;
+    }
+
+    // The rows that hold the joint do so, and no others hold anything.
+    bool is_of_kind(const RowBlock& block, LinkJoint kind) const
+    {
+        const int locks = lock_rows(kind);
+        if (kind != LinkJoint::kNone && (!is_still(system_, block.body1) || !is_still(system_, block.body2))) return false;
+        const Real arms = length(block.arms.r1) + length(block.arms.r2) + kLeastArm;
+        for (int i = 0; i < block.count; ++i) {
+            const Row& row = system_.rows[std::size_t(block.first + i)];
+            if (i < locks ? !is_rigid_and_closed(row, arms, run_.world.projection_tolerance)
+                          : !block.contact && row.kind == RowKind::kLock && !row.drive)
+                return false;
+        }
+        return true;
+    }
+
+    bool wants_impulses() const
+    {
+        const auto wants = [](const Joint* joint) {
+            return joint->feedback || (joint->driven && drives_of(*joint).limits.any());
+        };
+        return !run_.reports.empty() || run_.ledger.wanted() ||
+               std::any_of(work_.joints.begin(), work_.joints.end(), wants);
+    }
+
+    TreeOutcome finish()
+    {
+        if (!motion_.advance()) return TreeOutcome::kNoMemory;
+        ProjectionReport projected;
+        if (run_.world.projection_iterations > 0) run_.correct_poses([&] { projected = motion_.project(); });
+        if (!motion_.settle_velocities()) return TreeOutcome::kNoMemory;
+        run_.report_solution();
+        if (!run_.is_sound()) return TreeOutcome::kRefused;
+        run_.add_solution_to_ledger(false);
+        write_back(work_, run_.tasks);
+        run_.add_forces_to_ledger();
+        keep_impulses(run_, {});
+        if (run_.world.projection_iterations > 0)
+            for (dIslandStepReport& report : run_.reports) report_projection(projected, report);
+        return TreeOutcome::kMade;
+    }
+
+    static constexpr Real kLeastArm = Real(0.01);  // m
+
+    IslandRun& run_;
+    IslandWork& work_;
+    RowSystem& system_;
+    Arena& arena_;
+    std::span<LinkJoint> kinds_;
+    JointTree tree_;
+    TreeSolve solve_;
+    TreeMotion motion_;
+};
+
+}  // namespace
+
+TreeOutcome step_in_tree(IslandRun& run)
+{
+    TreeRun tree(run);
+    return tree.is_wanted() ? tree.step() : TreeOutcome::kNotInTree;
+}
+
+}  // namespace epode
