@@ -58,8 +58,9 @@ ROOMS = {
         "common": set(),
         "island/problem": {"common"},
         "island/positions": {"common", "island/problem"},
+        "island/tree": {"common", "island/problem", "island/positions"},
         "island": {"common", "island/problem", "island/positions"},
-        "steppers": {"common", "island", "island/problem", "island/positions"},
+        "steppers": {"common", "island", "island/problem", "island/positions", "island/tree"},
         "": {"common", "island", "island/problem", "island/positions", "steppers"},
     },
     "api": {
@@ -75,6 +76,7 @@ ROOMS = {
         "exact/extended": {"exact/problem", "exact/factor"},
         "exact/small": {"", "common", "exact/factor", "exact/problem"},
         "exact": {"", "common", "exact/factor", "exact/problem", "exact/extended", "exact/small"},
+        "tree": {"", "common"},
         "joints": {"", "common"},
         "sweeps": {"", "common", "joints"},
         "substeps/impacts": set(),

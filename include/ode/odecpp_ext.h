@@ -120,6 +120,8 @@ class dWorldExt : public dWorld {
 
     /** More accurate steps: dWorldSetExactRotation, dWorldSetExactSubsteps, dWorldSetStepProjection,
         dWorldSetStepProjectionTolerance. */
+    void setJointCoordinates(int mode) { dWorldSetJointCoordinates(get_id(), mode); }
+    int getJointCoordinates() const { return dWorldGetJointCoordinates(get_id()); }
     void setExactRotation(int mode) { dWorldSetExactRotation(get_id(), mode); }
     int getExactRotation() const { return dWorldGetExactRotation(get_id()); }
     void setExactSubsteps(int count) { dWorldSetExactSubsteps(get_id(), count); }

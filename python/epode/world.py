@@ -193,6 +193,8 @@ class World(Object):
     hybrid_budget = reads_and_sets(c.dWorldGetHybridBudget, c.dWorldSetHybridBudget,
                                    "Time of the exact solutions in a hybrid step, times that of substeps.")
     exact_substeps = reads_and_sets(c.dWorldGetExactSubsteps, c.dWorldSetExactSubsteps, "Substeps of an exact step.")
+    joint_coordinates = flag(c.dWorldGetJointCoordinates, c.dWorldSetJointCoordinates,
+                             "Solve robots in step() in the coordinates of their joints, which stay closed.")
     exact_rotation = flag(c.dWorldGetExactRotation, c.dWorldSetExactRotation, "Rotate bodies under joints and contacts exactly, too.")
     friction_cone = flag(c.dWorldGetFrictionCone, c.dWorldSetFrictionCone,
                          "Whether friction is Coulomb's: in exact steps bounded by the normal forces that act, as in an arch.")

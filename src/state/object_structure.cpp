@@ -30,6 +30,7 @@ void damping_rule(DampingRule& rule, StructureStream& stream)
 }
 
 constexpr const char* kStepper = "an unknown stepper";
+constexpr int kJointCoordinates = 128;  // above all iterations of the projection
 
 void solver_settings(World& w, StructureStream& stream)
 {
@@ -39,7 +40,12 @@ void solver_settings(World& w, StructureStream& stream)
         stream.flag(*on);
     stream.number(w.auto_enable_depth);
     stream.number(w.exact_substeps, 1, 1001, "too many substeps");
-    stream.number(w.projection_iterations, 0, 101, "too many iterations of the projection");
+    // One number, as files of before joint coordinates have it.
+    int projection = w.projection_iterations + (w.joint_coordinates ? kJointCoordinates : 0);
+    stream.number(projection, 0, kJointCoordinates + 101, "too many iterations of the projection");
+    w.joint_coordinates = projection >= kJointCoordinates;
+    w.projection_iterations = projection % kJointCoordinates;
+    stream.demand(w.projection_iterations <= 100, "too many iterations of the projection");
     stream.real(w.projection_tolerance, StructureStream::kFinite, 0);
     stream.number(w.hybrid_stepper), stream.demand(is_stepper(w.hybrid_stepper), kStepper);
     stream.number(w.hybrid_substeps, 1, kMaxSubsteps + 1, "too many substeps");

@@ -32,6 +32,11 @@ class TreeSolve {
 
     const JointTree& tree() const { return *tree_; }
     std::span<const double> u() const { return u_; }
+    // Three dofs of a root that is free.
+    void add_to_root(const TreeLink& root, Vec3 dv)
+    {
+        for (int i = 0; i < 3; ++i) u_[std::size_t(root.first + i)] += double(dv[i]);
+    }
     // v = T u to the bodies.
     void store_velocities();
 

@@ -39,24 +39,38 @@ void TreeMotion::measure_path()
     for (std::size_t i = 0; i < size_; ++i) path_[i] = (1 / work_->system.h) * poses_.displacement(int(i));
 }
 
+// T^T M v
+void TreeMotion::gather_momentum(std::span<const Spatial> velocities, std::span<double> out)
+{
+    for (std::size_t i = 0; i < size_; ++i) {
+        const SolverBody& b = solver_body(i);
+        scratch_[i] = {b.inertia * velocities[i].ang, b.mass * velocities[i].lin};
+    }
+    tree_->gather(scratch_, out);
+}
+
 bool TreeMotion::advance()
 {
-    const auto momenta = [&](auto&& velocity, std::span<double> out) {
-        for (std::size_t i = 0; i < size_; ++i) {
-            const SolverBody& b = solver_body(i);
-            const Spatial v = velocity(i);
-            scratch_[i] = {b.inertia * v.ang, b.mass * v.lin};
-        }
-        tree_->gather(scratch_, out);
-    };
     solve_->store_velocities();
-    momenta([&](std::size_t i) { return Spatial{solver_body(i).w, solver_body(i).v}; }, momentum_);
+    for (std::size_t i = 0; i < size_; ++i) path_[i] = {solver_body(i).w, solver_body(i).v};
+    gather_momentum(path_, momentum_);
     measure_path();
     const bool corrects = solve_->prepare_corrections(*arena_);
     if (arena_->failed()) return false;
+    if (corrects) iterate();
+    keep_momentum();
+    for (std::size_t i = 0; i < size_; ++i) solver_body(i).w = path_[i].ang, solver_body(i).v = path_[i].lin;
+    solve_->store_yield();
+    if (wants_impulses_) find_joint_impulses();
+    store_poses();
+    return true;
+}
+
+void TreeMotion::iterate()
+{
     double last = double(kInf);
-    for (int pass = 0; corrects && pass < kMaxIterations; ++pass) {
-        momenta([&](std::size_t i) { return path_[i]; }, r_);
+    for (int pass = 0; pass < kMaxIterations; ++pass) {
+        gather_momentum(path_, r_);
         for (std::size_t k = 0; k < r_.size(); ++k) r_[k] = momentum_[k] - r_[k];
         solve_->add_yield(r_);
         solve_->correct(r_);
@@ -64,14 +78,32 @@ bool TreeMotion::advance()
         double largest = 0;
         for (const double du : r_) largest = std::max(largest, std::fabs(du));
         const double now = largest * double(work_->system.h);
-        if (now <= kEnough || now > kLongest * last) break;
+        if (now <= kEnough || now > kLongest * last) return;
         last = now;
     }
-    for (std::size_t i = 0; i < size_; ++i) solver_body(i).w = path_[i].ang, solver_body(i).v = path_[i].lin;
-    solve_->store_yield();
-    if (wants_impulses_) find_joint_impulses();
-    store_poses();
-    return true;
+}
+
+// Of free trees on nothing: what the iteration has left of it.
+void TreeMotion::keep_momentum()
+{
+    const auto is_inner = [](const RowBlock& b) { return !b.contact && b.term_count == 0 && b.body2 >= 0; };
+    if (!std::all_of(work_->system.blocks.begin(), work_->system.blocks.end(), is_inner)) return;
+    const Real h = work_->system.h;
+    for (std::size_t root = 0; root < size_; ++root) {
+        if (tree_->link(int(root)).joint != LinkJoint::kFree) continue;
+        Real mass = 0;
+        Vec3 lost;
+        const auto for_its = [&](auto&& use) {
+            for (std::size_t i = root; i < size_; ++i)
+                if (tree_->link(int(i)).root == int(root)) use(i);
+        };
+        for_its([&](std::size_t i) {
+            mass += solver_body(i).mass, lost += solver_body(i).mass * (solver_body(i).v - path_[i].lin);
+        });
+        const Vec3 dv = (1 / mass) * lost;
+        for_its([&](std::size_t i) { path_[i].lin += dv, poses_.shift(int(i), h * dv); });
+        solve_->add_to_root(tree_->link(int(root)), dv);
+    }
 }
 
 void TreeMotion::store_poses() const

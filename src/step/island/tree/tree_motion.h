@@ -41,6 +41,9 @@ class TreeMotion {
     }
     Body& body(std::size_t link) const { return *work_->island.bodies[std::size_t(tree_->link(int(link)).body)]; }
     void measure_path();
+    void gather_momentum(std::span<const Spatial> velocities, std::span<double> out);
+    void iterate();
+    void keep_momentum();
     void store_poses() const;
     void turn_excess() const;
     Spatial seen(std::size_t link) const;

@@ -29,6 +29,7 @@ class TreePoses {
     Quat orientation(int link) const { return now_[std::size_t(link)].q; }
     const Mat3& rotation(int link) const { return now_[std::size_t(link)].R; }
 
+    void shift(int link, Vec3 way) { now_[std::size_t(link)].x += way; }
     const Mat3& rotation_before(int link) const { return before_[std::size_t(link)].R; }
 
     // The tree with its motions at those poses.

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// dWorldSetJointCoordinates: a step of robots in the coordinates of their joints is that in the coordinates of their bodies, in
+// velocities, impulses and forces of joints; joints stay closed; a passive tree keeps its energy, a free one its momentum; what stands
+// weighs what it weighs; other islands are solved as before, and states carry on with the same bits.
+#include <ode/defaults.h>
+#include <ode/report.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "rig.h"
+
+namespace epode::physics {
+namespace {
+
+constexpr double kG = 9.81;
+
+// A tree of bodies on joints of four types, of which some are driven, have a motor or lie beyond a stop.
+class RandomTree {
+  public:
+    RandomTree(std::uint32_t seed, bool in_joints, bool free, bool active = true, int bodies = 9) : random_(seed)
+    {
+        dWorldUseDefaults(sim_.world, dDefaultsRobot);
+        dWorldSetGravity(sim_.world, 0, 0, real(-kG));
+        dWorldSetJointCoordinates(sim_.world, in_joints ? 1 : 0);
+        dWorldSetStepReportMode(sim_.world, 1);
+        bodies_.push_back(make_body({0, 0, 2}));
+        if (!free) connect(nullptr, bodies_[0], 0, active);
+        for (int i = 1; i < bodies; ++i) {
+            const dBodyID parent = bodies_[std::size_t(random_.uniform(0, i))];
+            const V3 at = vec(dBodyGetPosition(parent)) + random_.point(0.4);
+            bodies_.push_back(make_body(at));
+            connect(parent, bodies_.back(), i, active);
+        }
+    }
+
+    dBodyID make_body(V3 at)
+    {
+        const dBodyID body = sim_.body(at, random_.uniform(0.5, 2), 0);
+        dMass mass;
+        dMassSetBoxTotal(&mass, real(random_.uniform(0.5, 2)), real(random_.uniform(0.1, 0.5)),
+                         real(random_.uniform(0.1, 0.5)), real(random_.uniform(0.1, 0.5)));
+        dBodySetMass(body, &mass);
+        dQuaternion q;
+        random_.quaternion(q);
+        dBodySetQuaternion(body, q);
+        return body;
+    }
+
+    void connect(dBodyID parent, dBodyID child, int i, bool active)
+    {
+        const V3 anchor = vec(dBodyGetPosition(child)) + random_.point(0.2), axis = random_.point(1);
+        const bool turned = random_.uniform(0, 1) < 0.5;
+        dJointID joint;
+        const auto attach = [&](dJointID j) { turned ? dJointAttach(j, parent, child) : dJointAttach(j, child, parent); };
+        switch (i % 4) {
+            case 0:
+                attach(joint = dJointCreateBall(sim_.world, nullptr));
+                dJointSetBallAnchor(joint, real(anchor.x), real(anchor.y), real(anchor.z));
+                break;
+            case 1:
+            case 2:
+                attach(joint = dJointCreateHinge(sim_.world, nullptr));
+                dJointSetHingeAnchor(joint, real(anchor.x), real(anchor.y), real(anchor.z));
+                dJointSetHingeAxis(joint, real(axis.x), real(axis.y), real(axis.z));
+                break;
+            default:
+                if (i == 7) {
+                    attach(joint = dJointCreateFixed(sim_.world, nullptr));
+                    dJointSetFixed(joint);
+                    break;
+                }
+                attach(joint = dJointCreateSlider(sim_.world, nullptr));
+                dJointSetSliderAxis(joint, real(axis.x), real(axis.y), real(axis.z));
+        }
+        if (active) drive(joint, i);
+        joints_.push_back(joint);
+        feedbacks_.emplace_back();
+    }
+
+    void drive(dJointID joint, int i)
+    {
+        const int type = dJointGetType(joint);
+        if (type != dJointTypeHinge && type != dJointTypeSlider) return;
+        const auto set = [&](int parameter, double value) {
+            type == dJointTypeHinge ? dJointSetHingeParam(joint, parameter, real(value))
+                                    : dJointSetSliderParam(joint, parameter, real(value));
+        };
+        if (i % 3 == 0) {
+            set(dParamVel, random_.uniform(-1e-3, 1e-3)), set(dParamFMax, random_.uniform(0.1, 3));
+        } else if (i % 3 == 1) {
+            set(dParamHiStop, 0.5), set(dParamLoStop, 0);
+        }
+        if (i % 2 == 0) return;
+        dDrive servo;
+        dDriveInit(&servo, sizeof servo);
+        servo.armature = real(random_.uniform(0, 0.1)), servo.damping = real(random_.uniform(0, 1));
+        servo.stiffness = real(random_.uniform(0, 10)), servo.target = real(0.3);
+        if (i % 4 == 1) servo.force_limit = real(random_.uniform(0.1, 1)), servo.friction = real(0.1);
+        dJointSetDrive(joint, 0, &servo);
+    }
+
+    void watch_forces()
+    {
+        for (std::size_t i = 0; i < joints_.size(); ++i) dJointSetFeedback(joints_[i], &feedbacks_[i]);
+    }
+
+    double kinetic_and_weight() const
+    {
+        double sum = 0;
+        for (const dBodyID b : bodies_) {
+            dMass mass;
+            dBodyGetMass(b, &mass);
+            const V3 v = vec(dBodyGetLinearVel(b)), w = vec(dBodyGetAngularVel(b));
+            const dReal* const R = dBodyGetRotation(b);
+            double local[3], turning = 0;
+            for (int k = 0; k < 3; ++k)
+                local[k] = double(R[k]) * w.x + double(R[4 + k]) * w.y + double(R[8 + k]) * w.z;
+            for (int k = 0; k < 3; ++k)
+                for (int l = 0; l < 3; ++l) turning += local[k] * double(mass.I[4 * k + l]) * local[l];
+            sum += 0.5 * double(mass.mass) * dot(v, v) + 0.5 * turning +
+                   double(mass.mass) * kG * vec(dBodyGetPosition(b)).z;
+        }
+        return sum;
+    }
+
+    Sim sim_;
+    Random random_;
+    std::vector<dBodyID> bodies_;
+    std::vector<dJointID> joints_;
+    std::vector<dJointFeedback> feedbacks_;
+};
+
+int method_of(dWorldID world)
+{
+    dIslandStepReport report;
+    report.struct_size = sizeof report;
+    return dWorldGetIslandStepReport(world, 0, &report) ? report.method : -1;
+}
+
+double joint_error(dWorldID world)
+{
+    dWorldStepReport report;
+    report.struct_size = sizeof report;
+    dWorldGetStepReport(world, &report);
+    return std::max(report.joint_error, report.joint_angle_error);
+}
+
+double worst_difference(const RandomTree& a, const RandomTree& b)
+{
+    double worst = 0;
+    for (std::size_t i = 0; i < a.bodies_.size(); ++i) {
+        worst = std::max(worst, length(vec(dBodyGetLinearVel(a.bodies_[i])) - vec(dBodyGetLinearVel(b.bodies_[i]))));
+        worst = std::max(worst, length(vec(dBodyGetAngularVel(a.bodies_[i])) - vec(dBodyGetAngularVel(b.bodies_[i]))));
+    }
+    return worst;
+}
+
+// From rest, in a step so short that what is of second order in it is nothing.
+TEST(JointCoordinates, step_is_that_of_bodies)
+{
+    const double h = 1e-4;
+    for (std::uint32_t seed = 1; seed <= 40; ++seed)
+        for (const bool free : {false, true}) {
+            RandomTree joints(seed, true, free), bodies(seed, false, free);
+            for (RandomTree* tree : {&joints, &bodies}) {
+                dWorldSetCFM(tree->sim_.world, 0), tree->watch_forces();
+                dBodyAddForce(tree->bodies_.back(), 1, 1, 1), dBodyAddTorque(tree->bodies_[2], real(0.1), real(0.2), 0);
+                ASSERT_TRUE(dWorldStep(tree->sim_.world, real(h)));
+            }
+            EXPECT_EQ(method_of(joints.sim_.world), dIslandMethodJointCoordinates) << seed << free;
+            EXPECT_LT(worst_difference(joints, bodies), tol(1e-9, 1e-5)) << seed << free;
+            for (std::size_t i = 0; i < joints.joints_.size(); ++i) {
+                const dJointFeedback &a = joints.feedbacks_[i], &b = bodies.feedbacks_[i];
+                const double scale = 1 + length(vec(b.f1)) + length(vec(b.t1));
+                EXPECT_LT(length(vec(a.f1) - vec(b.f1)), tol(1e-5, 1e-2) * scale) << seed << free << i;
+                EXPECT_LT(length(vec(a.t1) - vec(b.t1)), tol(1e-5, 1e-2) * scale) << seed << free << i;
+                EXPECT_LT(length(vec(a.t2) - vec(b.t2)), tol(1e-5, 1e-2) * scale) << seed << free << i;
+            }
+        }
+}
+
+TEST(JointCoordinates, joints_stay_closed)
+{
+    for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+        RandomTree tree(seed, true, seed % 2 == 0);
+        for (int i = 0; i < 500; ++i) dWorldStep(tree.sim_.world, real(0.005));
+        EXPECT_EQ(method_of(tree.sim_.world), dIslandMethodJointCoordinates) << seed;
+        EXPECT_LT(joint_error(tree.sim_.world), tol(1e-12, 1e-4)) << seed;
+    }
+}
+
+TEST(JointCoordinates, passive_trees_keep_their_energy)
+{
+    for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+        double swing[2], drift[2];
+        for (const int fine : {0, 1}) {
+            RandomTree tree(seed, true, false, false);
+            const double first = tree.kinetic_and_weight();
+            double worst = 0, fall = 0;
+            for (int i = 0; i < (fine ? 4000 : 1000); ++i) {
+                dWorldStep(tree.sim_.world, real(fine ? 0.0005 : 0.002));
+                worst = std::max(worst, std::fabs(tree.kinetic_and_weight() - first));
+                fall = std::max(fall, kG * std::fabs(vec(dBodyGetPosition(tree.bodies_.back())).z - 2));
+            }
+            swing[fine] = worst, drift[fine] = tree.kinetic_and_weight() - first;
+        }
+        EXPECT_LT(swing[1], 0.5 * swing[0] + tol(1e-9, 1e-2)) << seed;
+        EXPECT_LT(std::fabs(drift[1]), 0.5 * std::fabs(swing[0]) + tol(1e-9, 1e-2)) << seed;
+        EXPECT_LT(swing[0], 2) << seed;
+    }
+}
+
+TEST(JointCoordinates, free_trees_keep_their_momentum)
+{
+    for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+        RandomTree tree(seed, true, true);
+        dWorldSetGravity(tree.sim_.world, 0, 0, 0);
+        dBodySetAngularVel(tree.bodies_[0], 1, 2, 3);
+        double mass = 0;
+        const auto momenta = [&](V3& linear, V3& angular) {
+            linear = angular = {}, mass = 0;
+            for (const dBodyID b : tree.bodies_) {
+                dMass m;
+                dBodyGetMass(b, &m);
+                const V3 v = vec(dBodyGetLinearVel(b)), w = vec(dBodyGetAngularVel(b)), x = vec(dBodyGetPosition(b));
+                const dReal* const R = dBodyGetRotation(b);
+                double local[3], turned[3];
+                for (int k = 0; k < 3; ++k)
+                    local[k] = double(R[k]) * w.x + double(R[4 + k]) * w.y + double(R[8 + k]) * w.z;
+                for (int k = 0; k < 3; ++k) {
+                    turned[k] = 0;
+                    for (int l = 0; l < 3; ++l) turned[k] += double(m.I[4 * k + l]) * local[l];
+                }
+                const auto row = [&](int k) { return double(R[4 * k]) * turned[0] + double(R[4 * k + 1]) * turned[1] + double(R[4 * k + 2]) * turned[2]; };
+                linear = linear + double(m.mass) * v, mass += double(m.mass);
+                angular = angular + cross(x, double(m.mass) * v) + V3{row(0), row(1), row(2)};
+            }
+        };
+        V3 p0, l0, p1, l1;
+        momenta(p0, l0);
+        for (int i = 0; i < 500; ++i) dWorldStep(tree.sim_.world, real(0.002));
+        momenta(p1, l1);
+        EXPECT_EQ(method_of(tree.sim_.world), dIslandMethodJointCoordinates);
+        EXPECT_LT(length(p1 - p0), tol(1e-9, 1e-3) * mass) << seed;
+        EXPECT_LT(length(l1 - l0), tol(0.02, 0.05) * (1 + length(l0))) << seed;
+    }
+}
+
+// A table on four legs with hinges on stops: the ground bears its weight, and nothing moves.
+TEST(JointCoordinates, what_stands_weighs_what_it_weighs)
+{
+    Sim sim;
+    dWorldUseDefaults(sim.world, dDefaultsRobot);
+    dWorldSetGravity(sim.world, 0, 0, real(-kG));
+    dWorldSetStepReportMode(sim.world, 1);
+    dWorldSetContactSpace(sim.world, sim.space);
+    sim.ground();
+    const dBodyID plate = sim.box({0, 0, 0.55}, {1, 1, 0.1}, 4);
+    double mass = 4;
+    std::vector<dJointFeedback> feedbacks(4);
+    for (int i = 0; i < 4; ++i) {
+        const V3 at{i % 2 == 0 ? 0.4 : -0.4, i / 2 == 0 ? 0.4 : -0.4, 0.25};
+        const dBodyID leg = sim.sphere(at - V3{0, 0, 0.2}, 0.05, 0.5);
+        mass += 0.5;
+        const dJointID hinge = dJointCreateHinge(sim.world, nullptr);
+        dJointAttach(hinge, leg, plate);
+        dJointSetHingeAnchor(hinge, real(at.x), real(at.y), real(0.5)), dJointSetHingeAxis(hinge, 1, 0, 0);
+        dJointSetHingeParam(hinge, dParamLoStop, 0), dJointSetHingeParam(hinge, dParamHiStop, 0);
+        dJointSetHingeParam(hinge, dParamHiStop, real(1e-9));
+        dJointSetFeedback(hinge, &feedbacks[std::size_t(i)]);
+    }
+    for (int i = 0; i < 400; ++i) dWorldStep(sim.world, real(0.005));
+    EXPECT_EQ(method_of(sim.world), dIslandMethodJointCoordinates);
+    double carried = 0;
+    for (const dJointFeedback& f : feedbacks) carried -= double(f.f2[2]);
+    EXPECT_NEAR(carried, 4 * -kG, tol(1e-6, 1e-3) * mass * kG);
+    EXPECT_LT(length(vec(dBodyGetLinearVel(plate))), tol(1e-7, 1e-4));
+    EXPECT_NEAR(double(dBodyGetPosition(plate)[2]), 0.55, 1e-3);
+}
+
+TEST(JointCoordinates, loops_are_solved_as_before)
+{
+    RandomTree tree(3, true, true), other(3, false, true);
+    for (RandomTree* t : {&tree, &other}) {
+        const dJointID ball = dJointCreateBall(t->sim_.world, nullptr);
+        dJointAttach(ball, t->bodies_[0], t->bodies_.back());
+        const V3 at = vec(dBodyGetPosition(t->bodies_.back()));
+        dJointSetBallAnchor(ball, real(at.x), real(at.y), real(at.z));
+        for (int i = 0; i < 50; ++i) dWorldStep(t->sim_.world, real(0.002));
+    }
+    EXPECT_NE(method_of(tree.sim_.world), dIslandMethodJointCoordinates);
+    EXPECT_EQ(worst_difference(tree, other), 0);
+}
+
+TEST(JointCoordinates, states_carry_on_with_the_same_bits)
+{
+    RandomTree tree(5, true, true);
+    for (int i = 0; i < 50; ++i) dWorldStep(tree.sim_.world, real(0.002));
+    const dsizeint size = dWorldGetStateSize(tree.sim_.world);
+    std::vector<char> state(size);
+    ASSERT_TRUE(dWorldGetState(tree.sim_.world, state.data(), size));
+    std::vector<double> seen[2];
+    for (std::vector<double>& to : seen) {
+        ASSERT_TRUE(dWorldSetState(tree.sim_.world, state.data(), size));
+        for (int i = 0; i < 100; ++i) dWorldStep(tree.sim_.world, real(0.002));
+        for (const dBodyID b : tree.bodies_)
+            for (int k = 0; k < 3; ++k) to.push_back(double(dBodyGetPosition(b)[k])), to.push_back(double(dBodyGetAngularVel(b)[k]));
+    }
+    EXPECT_EQ(seen[0], seen[1]);
+}
+
+TEST(JointCoordinates, mode_is_off_at_first_and_refuses_others)
+{
+    Sim sim;
+    EXPECT_EQ(dWorldGetJointCoordinates(sim.world), 0);
+    dWorldUseDefaults(sim.world, dDefaultsRobot);
+    EXPECT_EQ(dWorldGetJointCoordinates(sim.world), 1);
+    dWorldSetJointCoordinates(sim.world, 0);
+    EXPECT_EQ(dWorldGetJointCoordinates(sim.world), 0);
+}
+
+}  // namespace
+}  // namespace epode::physics
