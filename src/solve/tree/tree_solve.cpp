@@ -256,7 +256,6 @@ bool TreeSolve::solve(SolveReport& report)
     std::copy(z_.begin(), z_.end(), u_.begin());
     for (int i = 0; i < int(rows_.size()); ++i) {
         const double p = problem_.p()[std::size_t(i)];
-        system_->numbers[std::size_t(rows_[std::size_t(i)].source)].p = Real(rows_[std::size_t(i)].ratio * p);
         if (p == 0) continue;
         const double* const its = y(i);
         for (std::size_t k = 0; k < u_.size(); ++k) u_[k] += p * its[k];
@@ -265,7 +264,7 @@ bool TreeSolve::solve(SolveReport& report)
     const auto is_usable = [](double x) { return std::fabs(x) < 1e15; };
     if (!std::all_of(u_.begin(), u_.end(), is_usable)) return false;
     std::copy(u_.begin(), u_.end(), solved_.begin());
-    store_yield();
+    store_impulses(), store_yield();
     return true;
 }
 
@@ -275,6 +274,31 @@ void TreeSolve::store_velocities()
     for (std::size_t i = 0; i < scratch_.size(); ++i) {
         SolverBody& body = system_->bodies[std::size_t(tree_->link(int(i)).body)];
         body.w = scratch_[i].ang, body.v = scratch_[i].lin;
+    }
+}
+
+void TreeSolve::store_impulses()
+{
+    for (int i = 0; i < int(rows_.size()); ++i)
+        system_->numbers[std::size_t(rows_[std::size_t(i)].source)].p =
+            Real(rows_[std::size_t(i)].ratio * problem_.p()[std::size_t(i)]);
+}
+
+void TreeSolve::forget_corrections()
+{
+    std::copy(solved_.begin(), solved_.end(), u_.begin());
+    store_impulses();
+}
+
+void TreeSolve::add_yield_impulses(std::span<const double> before, std::span<const double> after)
+{
+    for (const Yield& yield : yields_) {
+        double change = 0;
+        for (int i = 0; i < yield.count; ++i) {
+            const auto at = std::size_t(yield.first + i);
+            change += yield.j[i] * (after[at] - before[at]);
+        }
+        system_->numbers[std::size_t(yield.source)].p -= Real(change / yield.C);
     }
 }
 

@@ -46,8 +46,11 @@ class TreeSolve {
     bool correct(std::span<double> r);
     // r -= j (j . (u - u of the solution)) / C of the rows that yield.
     void add_yield(std::span<double> r) const;
-    // Impulses of the rows that yield at the present u.
+    // Takes all corrections back.
+    void forget_corrections();
+    // Impulses of the rows that yield at the present u; and what is added to them where rates of dofs change once more.
     void store_yield();
+    void add_yield_impulses(std::span<const double> before, std::span<const double> after);
 
     // Of impulses that rows exert, less those of joints: f_link -= J^T p.
     void subtract_impulses(std::span<Spatial> of_links) const;
@@ -91,6 +94,7 @@ class TreeSolve {
     bool solve_problem(SolveReport& report);
     bool solve_phases();
     void bind_parents();
+    void store_impulses();
 
     RowSystem* system_ = nullptr;
     const JointTree* tree_ = nullptr;

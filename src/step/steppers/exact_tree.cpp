@@ -2,11 +2,6 @@
 // Copyright (c) 2026 The Epode authors
 #include "step/steppers/exact_tree.h"
 
-#include <algorithm>
-
-#include "dynamics/joint_drives.h"
-#include "solve/common/stored_residual.h"
-#include "step/island/containment.h"
 #include "step/island/report.h"
 #include "step/island/tree/tree_motion.h"
 #include "step/island/warm_start.h"
@@ -68,7 +63,7 @@ class TreeRun {
         if (!tree_.is_tree()) return TreeOutcome::kNotInTree;
         if (!solve_.prepare(system_, tree_, arena_)) return TreeOutcome::kNoMemory;
         if (!solve_.fits()) return TreeOutcome::kNotInTree;
-        if (!motion_.begin(run_.world, work_, tree_, solve_, wants_impulses(), arena_)) return TreeOutcome::kNoMemory;
+        if (!motion_.begin(run_.world, work_, tree_, solve_, arena_)) return TreeOutcome::kNoMemory;
         SolveReport report;
         if (!solve_.solve(report)) return TreeOutcome::kNotInTree;
         report.method = dIslandMethodJointCoordinates;
@@ -107,15 +102,6 @@ class TreeRun {
                 return false;
         }
         return true;
-    }
-
-    bool wants_impulses() const
-    {
-        const auto wants = [](const Joint* joint) {
-            return joint->feedback || (joint->driven && drives_of(*joint).limits.any());
-        };
-        return !run_.reports.empty() || run_.ledger.wanted() ||
-               std::any_of(work_.joints.begin(), work_.joints.end(), wants);
     }
 
     TreeOutcome finish()

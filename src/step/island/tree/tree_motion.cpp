@@ -13,15 +13,15 @@ namespace {
 
 constexpr int kMaxIterations = 8;
 constexpr double kEnough = 1e-7;    // rad and m, of a correction of the displacement
+constexpr Real kLongestTurn = Real(0.02);  // opening relative to the lever, about (w h)^2/2
 constexpr double kLongest = 0.5;    // times the last correction, that the next one must not exceed
 
 }  // namespace
 
-bool TreeMotion::begin(const World& world, IslandWork& work, JointTree& tree, TreeSolve& solve,
-                       bool wants_impulses, Arena& arena)
+bool TreeMotion::begin(const World& world, IslandWork& work, JointTree& tree, TreeSolve& solve, Arena& arena)
 {
     world_ = &world, work_ = &work, tree_ = &tree, solve_ = &solve, arena_ = &arena;
-    size_ = tree.links().size(), wants_impulses_ = wants_impulses;
+    size_ = tree.links().size();
     const int links = int(size_), n = tree.dofs();
     before_ = arena.take<Spatial>(links), path_ = arena.take<Spatial>(links);
     scratch_ = arena.take<Spatial>(links), impulses_ = arena.take<Spatial>(links);
@@ -57,16 +57,42 @@ bool TreeMotion::advance()
     measure_path();
     const bool corrects = solve_->prepare_corrections(*arena_);
     if (arena_->failed()) return false;
-    if (corrects) iterate();
-    keep_momentum();
-    for (std::size_t i = 0; i < size_; ++i) solver_body(i).w = path_[i].ang, solver_body(i).v = path_[i].lin;
+    if (!is_too_long() && corrects && iterate()) {
+        keep_momentum();
+        for (std::size_t i = 0; i < size_; ++i) solver_body(i).w = path_[i].ang, solver_body(i).v = path_[i].lin;
+    } else {
+        fly();
+    }
     solve_->store_yield();
-    if (wants_impulses_) find_joint_impulses();
+    find_joint_impulses();
     store_poses();
     return true;
 }
 
-void TreeMotion::iterate()
+// A link's end would open by more than that share of its lever if bodies flew h v.
+bool TreeMotion::is_too_long() const
+{
+    const Real h = work_->system.h;
+    Real largest = 0;
+    for (std::size_t i = 0; i < size_; ++i)
+        if (tree_->link(int(i)).joint != LinkJoint::kFree || tree_->links().size() > 1)
+            largest = std::max(largest, length2(solver_body(i).w));
+    return h * h * largest / 2 > kLongestTurn;
+}
+
+// The velocities of the solution, of which the next step takes what does not fit its poses: the step is too long for the motion.
+void TreeMotion::fly()
+{
+    solve_->forget_corrections();
+    measure_path();
+    for (std::size_t i = 0; i < size_; ++i) store(body(i).lvel, solver_body(i).v), store(body(i).avel, solver_body(i).w);
+    const FreeMomentum momentum(*work_);
+    store_poses();
+    momentum.restore();
+}
+
+// False: it does not converge.
+bool TreeMotion::iterate()
 {
     double last = double(kInf);
     for (int pass = 0; pass < kMaxIterations; ++pass) {
@@ -78,9 +104,11 @@ void TreeMotion::iterate()
         double largest = 0;
         for (const double du : r_) largest = std::max(largest, std::fabs(du));
         const double now = largest * double(work_->system.h);
-        if (now <= kEnough || now > kLongest * last) return;
+        if (now <= kEnough) return true;
+        if (now > kLongest * last) return false;
         last = now;
     }
+    return true;
 }
 
 // Of free trees on nothing: what the iteration has left of it.

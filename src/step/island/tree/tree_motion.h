@@ -21,16 +21,14 @@ namespace epode {
 class TreeMotion {
   public:
     // After the solution. `tree` moves along. False: out of memory.
-    // `wants_impulses`: of joints, too.
-    bool begin(const World& world, IslandWork& work, JointTree& tree, TreeSolve& solve, bool wants_impulses,
-               Arena& arena);
+    bool begin(const World& world, IslandWork& work, JointTree& tree, TreeSolve& solve, Arena& arena);
 
     // The velocities and impulses with which the bodies get to their poses; bodies are there then. False: out of memory.
     bool advance();
     // Removes what is beyond stops and inside contacts. Behind advance().
     ProjectionReport project();
-    // Velocities that joints allow at the end, in the bodies of the system and of the world, and p of the rows of joints if they are
-    // wanted. Behind project(). False: out of memory.
+    // Velocities that joints allow at the end, in the bodies of the system and of the world, and p of the rows of joints, from which
+    // the next step knows the tension in light links. Behind project(). False: out of memory.
     bool settle_velocities();
 
   private:
@@ -42,7 +40,9 @@ class TreeMotion {
     Body& body(std::size_t link) const { return *work_->island.bodies[std::size_t(tree_->link(int(link)).body)]; }
     void measure_path();
     void gather_momentum(std::span<const Spatial> velocities, std::span<double> out);
-    void iterate();
+    bool is_too_long() const;
+    bool iterate();
+    void fly();
     void keep_momentum();
     void store_poses() const;
     void turn_excess() const;
@@ -60,7 +60,6 @@ class TreeMotion {
     Arena* arena_ = nullptr;
     TreePoses poses_;
     std::size_t size_ = 0;
-    bool wants_impulses_ = false;
     std::span<Spatial> before_, path_, scratch_;  // v*, v'
     std::span<Spatial> impulses_;                 // of joints, about their anchors
     std::span<double> momentum_, r_, dq_;

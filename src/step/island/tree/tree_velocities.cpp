@@ -70,6 +70,7 @@ bool TreeMotion::settle_velocities()
     find_rates(dq_);
     solve_->add_yields_to(factor), solve_->add_yield_momentum(dq_, r_);
     factor.factor(), factor.solve(r_);
+    solve_->add_yield_impulses(dq_, r_);
     tree_->velocities(r_, scratch_);
     for (std::size_t i = 0; i < size_; ++i) {
         const Spatial dv = scratch_[i] - seen(i);
@@ -77,7 +78,6 @@ bool TreeMotion::settle_velocities()
         store(body(i).lvel, solver_body(i).v), store(body(i).avel, solver_body(i).w);
         scratch_[i] = {inertias[i] * dv.ang, solver_body(i).mass * dv.lin};
     }
-    if (!wants_impulses_) return true;
     add_last_impulses(scratch_);
     solve_->store_joint_impulses(impulses_);
     return true;
