@@ -78,6 +78,7 @@ class IslandMethod(enum.IntEnum):
     SWEEPS = c.dIslandMethodSweeps
     SUBSTEPS = c.dIslandMethodSubsteps
     SUBSTEPS_EXACT_JOINTS = c.dIslandMethodSubstepsExactJoints
+    JOINT_COORDINATES = c.dIslandMethodJointCoordinates
 
 
 class Behaviour(enum.IntEnum):

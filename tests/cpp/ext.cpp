@@ -17,6 +17,7 @@ Numbers read_world(dWorldID w)
     n.push_back(dWorldGetFrictionCone(w));
     n.push_back(dWorldGetManifoldFriction(w));
     n.push_back(dWorldGetExactRotation(w));
+    n.push_back(dWorldGetJointCoordinates(w));
     n.push_back(dWorldGetExactSubsteps(w));
     n.push_back(dWorldGetStepProjection(w));
     n.push_back(dWorldGetStepProjectionTolerance(w));
@@ -45,6 +46,7 @@ void test_world_options()
     WORLD_SET(FrictionCone, 1);
     WORLD_SET(ManifoldFriction, 1);
     WORLD_SET(ExactRotation, 1);
+    WORLD_SET(JointCoordinates, 1);
     WORLD_SET(ExactSubsteps, 3);
     WORLD_SET(StepProjection, 8);
     WORLD_SET(StepProjectionTolerance, REAL(0.01));

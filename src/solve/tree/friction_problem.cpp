@@ -81,8 +81,7 @@ bool FrictionProblem::update_states()
                 const double q[2] = {p_[at] - w_[at] / d, p_[at + 1] - w_[at + 1] / d};
                 const double length = hypotenuse(q[0], q[1]), L = limit(row);
                 now = length > L && L > 0 ? State::kTied : State::kFree;
-                if (now == State::kTied)
-                    direction_[at] = q[0] / length, direction_[at + 1] = q[1] / length;
+                if (now == State::kTied) direction_[at] = q[0] / length, direction_[at + 1] = q[1] / length;
             }
             changed |= states_[at] != now;
             states_[at] = states_[at + 1] = now;
@@ -133,7 +132,8 @@ void FrictionProblem::choose_unknowns()
             const double speed = std::max(-(w_[at] * d[0] + w_[at + 1] * d[1]), 0.0);
             if (of_parent >= 0) {
                 Unknown& n = unknowns_[std::size_t(of_parent)];
-                for (int k = 0; k < 2 && n.count < 3; ++k) n.at[n.count] = i + k, n.factor[n.count++] = row.hi * d[k];
+                for (int k = 0; k < 2 && n.count < 3; ++k)
+                    n.at[n.count] = i + k, n.factor[n.count++] = row.hi * d[k];
             }
             Unknown& c = add(i);
             c = {i, 2, {i, i + 1, 0}, {-d[1], d[0], 0}, true, L > 0 ? speed / L : 0};

@@ -21,9 +21,9 @@
 namespace epode {
 
 struct FrictionRow {
-    double lo, hi;        // of p; with a parent: hi = mu
-    int parent = -1;      // a row before it
-    bool disc = false;    // together with the row after it, whose `second` is set
+    double lo, hi;      // of p; with a parent: hi = mu
+    int parent = -1;    // a row before it
+    bool disc = false;  // together with the row after it, whose `second` is set
     bool second = false;
 };
 

@@ -54,7 +54,8 @@ bool JointTree::build(const RowSystem& system, std::span<const Vec3> centres,
         add_link(root, -1, -1, LinkJoint::kFree, true);
         grow(system, kinds, done);
     }
-    const auto held = std::count_if(kinds.begin(), kinds.end(), [](LinkJoint k) { return k != LinkJoint::kNone; });
+    const auto held =
+        std::count_if(kinds.begin(), kinds.end(), [](LinkJoint k) { return k != LinkJoint::kNone; });
     if (branches_ != int(held) || dofs_ > kMaxDofs) return true;
     links_ = links_.first(std::size_t(count_)), motions_ = motions_.first(std::size_t(dofs_));
     place(system, centres);
@@ -89,14 +90,22 @@ bool JointTree::add_link(int body, int parent, int block, LinkJoint joint, bool 
 {
     if (link_of_body_[std::size_t(body)] >= 0) return false;
     TreeLink& link = links_[std::size_t(count_)];
-    link = {.body = body, .parent = parent, .root = parent < 0 ? count_ : links_[std::size_t(parent)].root,
-            .block = block, .first = dofs_, .count = dof_count(joint), .joint = joint, .is_body1 = is_body1,
-            .from_root = {}, .anchor = {}};
+    link = {.body = body,
+            .parent = parent,
+            .root = parent < 0 ? count_ : links_[std::size_t(parent)].root,
+            .block = block,
+            .first = dofs_,
+            .count = dof_count(joint),
+            .joint = joint,
+            .is_body1 = is_body1,
+            .from_root = {},
+            .anchor = {}};
     link_of_body_[std::size_t(body)] = count_++;
     branches_ += block >= 0;
     int last = parent < 0 ? -1 : links_[std::size_t(parent)].last;
     for (int i = 0; i < link.count; ++i, ++dofs_) {
-        up_[std::size_t(dofs_)] = last, depth_[std::size_t(dofs_)] = last < 0 ? 0 : depth_[std::size_t(last)] + 1;
+        up_[std::size_t(dofs_)] = last,
+        depth_[std::size_t(dofs_)] = last < 0 ? 0 : depth_[std::size_t(last)] + 1;
         last = dofs_;
     }
     link.last = last;
@@ -145,7 +154,8 @@ void JointTree::place(const RowSystem& system, std::span<const Vec3> centres)
 void JointTree::place_motions(const RowSystem& system, const TreeLink& link)
 {
     Spatial* const to = motions_.data() + link.first;
-    const Row* const rows = link.block < 0 ? nullptr : &system.rows[std::size_t(system.blocks[std::size_t(link.block)].first)];
+    const Row* const rows =
+        link.block < 0 ? nullptr : &system.rows[std::size_t(system.blocks[std::size_t(link.block)].first)];
     switch (link.joint) {
         case LinkJoint::kFree:
             for (int i = 0; i < 3; ++i) to[i] = {{}, kUnit[i]}, to[3 + i] = {kUnit[i], {}};
@@ -193,7 +203,8 @@ void JointTree::gather(std::span<Spatial> of_links, std::span<double> out) const
         const TreeLink& link = links_[i];
         for (int k = link.first; k < link.first + link.count; ++k)
             out[std::size_t(k)] = double(dot(motions_[std::size_t(k)], of_links[i]));
-        if (link.parent >= 0) of_links[std::size_t(link.parent)] = of_links[std::size_t(link.parent)] + of_links[i];
+        if (link.parent >= 0)
+            of_links[std::size_t(link.parent)] = of_links[std::size_t(link.parent)] + of_links[i];
     }
 }
 

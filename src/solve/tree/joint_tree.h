@@ -23,10 +23,10 @@ enum class LinkJoint : unsigned char { kNone, kFree, kBall, kHinge, kSlider, kFi
 // How many rows of a block hold such a joint: its first ones.
 constexpr int lock_rows(LinkJoint joint)
 {
-    return joint == LinkJoint::kBall                                    ? 3
+    return joint == LinkJoint::kBall                                   ? 3
            : joint == LinkJoint::kHinge || joint == LinkJoint::kSlider ? 5
-           : joint == LinkJoint::kFixed                                 ? 6
-                                                                        : 0;
+           : joint == LinkJoint::kFixed                                ? 6
+                                                                       : 0;
 }
 
 // A motion (spin, velocity at O) or what acts along it (torque about O, force).

@@ -28,8 +28,10 @@ TreeFactor::Composite TreeFactor::about_O(Real mass, const Sym3& I, Vec3 d)
 {
     const Vec3 md = mass * d;
     const Real xx = md.x * d.x, yy = md.y * d.y, zz = md.z * d.z;
-    return {mass, md, {I.xx + (yy + zz), I.yy + (xx + zz), I.zz + (xx + yy), I.xy - md.x * d.y,
-                       I.xz - md.x * d.z, I.yz - md.y * d.z}};
+    return {mass,
+            md,
+            {I.xx + (yy + zz), I.yy + (xx + zz), I.zz + (xx + yy), I.xy - md.x * d.y, I.xz - md.x * d.z,
+             I.yz - md.y * d.z}};
 }
 
 void TreeFactor::project(const JointTree& tree)
@@ -40,7 +42,8 @@ void TreeFactor::project(const JointTree& tree)
         const Composite& c = composites_[i];
         for (int k = link.first; k < link.first + link.count; ++k) {
             const Spatial& m = tree.motion(k);
-            const Spatial f{c.inertia * m.ang + cross(c.moment, m.lin), c.mass * m.lin + cross(m.ang, c.moment)};
+            const Spatial f{c.inertia * m.ang + cross(c.moment, m.lin),
+                            c.mass * m.lin + cross(m.ang, c.moment)};
             double* const row = &values_[std::size_t(start_[std::size_t(k)])];
             for (int j = k, d = depth_[std::size_t(k)]; j >= 0; j = up_[std::size_t(j)], --d)
                 row[d] = double(dot(tree.motion(j), f));
@@ -48,7 +51,8 @@ void TreeFactor::project(const JointTree& tree)
         if (link.parent < 0) continue;
         Composite& to = composites_[std::size_t(link.parent)];
         const Sym3 &s = to.inertia, &t = c.inertia;
-        to = {to.mass + c.mass, to.moment + c.moment,
+        to = {to.mass + c.mass,
+              to.moment + c.moment,
               {s.xx + t.xx, s.yy + t.yy, s.zz + t.zz, s.xy + t.xy, s.xz + t.xz, s.yz + t.yz}};
     }
 }

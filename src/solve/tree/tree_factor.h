@@ -37,10 +37,13 @@ class TreeFactor {
   private:
     struct Composite {
         Real mass;
-        Vec3 moment;  // m c
+        Vec3 moment;   // m c
         Sym3 inertia;  // about O
     };
-    double& entry(int k, int i) { return values_[std::size_t(start_[std::size_t(k)] + depth_[std::size_t(i)])]; }
+    double& entry(int k, int i)
+    {
+        return values_[std::size_t(start_[std::size_t(k)] + depth_[std::size_t(i)])];
+    }
     static Composite about_O(Real mass, const Sym3& inertia, Vec3 c);
     void project(const JointTree& tree);
 

@@ -94,10 +94,12 @@ bool TreeSolve::take_yield(const RowBlock& block, int source)
     if (block.contact || block.term_count > 0 || n.bounded() || n.parent >= 0 || !(n.C > 0)) return false;
     const int a = tree_->link_of_body(block.body1), b = tree_->link_of_body(block.body2);
     const bool is_first = a >= 0 && tree_->link(a).parent == b && tree_->link(a).joint != LinkJoint::kFree;
-    const bool is_second = !is_first && b >= 0 && tree_->link(b).parent == a && tree_->link(b).joint != LinkJoint::kFree;
+    const bool is_second =
+        !is_first && b >= 0 && tree_->link(b).parent == a && tree_->link(b).joint != LinkJoint::kFree;
     if (!is_first && !is_second) return false;
     const TreeLink& link = tree_->link(is_first ? a : b);
-    if ((is_first ? block.body2 : block.body1) >= 0 && link.parent < 0) return false;  // a kinematic body that may move
+    if ((is_first ? block.body2 : block.body1) >= 0 && link.parent < 0)
+        return false;  // a kinematic body that may move
     const Row& row = system_->rows[std::size_t(source)];
     const Spatial f = is_first ? on_body(a, row.lin1, row.ang1) : on_body(b, row.lin2, row.ang2);
     Yield& yield = yields_.back();
@@ -129,12 +131,15 @@ void TreeSolve::jacobian(const RowBlock& block, const Row& row, std::span<double
     std::fill(j.begin(), j.end(), 0);
     if (block.term_count > 0) {
         for (const WideTerm& term : terms_of(*system_, block))
-            if (const int at = tree_->link_of_body(term.body); at >= 0) add_chain(at, on_body(at, term.lin, term.ang), j);
+            if (const int at = tree_->link_of_body(term.body); at >= 0)
+                add_chain(at, on_body(at, term.lin, term.ang), j);
         return;
     }
     const int a = tree_->link_of_body(block.body1), b = tree_->link_of_body(block.body2);
-    if (a >= 0 && b >= 0 && tree_->link(a).parent == b) return add_own(tree_->link(a), on_body(a, row.lin1, row.ang1), j);
-    if (a >= 0 && b >= 0 && tree_->link(b).parent == a) return add_own(tree_->link(b), on_body(b, row.lin2, row.ang2), j);
+    if (a >= 0 && b >= 0 && tree_->link(a).parent == b)
+        return add_own(tree_->link(a), on_body(a, row.lin1, row.ang1), j);
+    if (a >= 0 && b >= 0 && tree_->link(b).parent == a)
+        return add_own(tree_->link(b), on_body(b, row.lin2, row.ang2), j);
     if (a >= 0) add_chain(a, on_body(a, row.lin1, row.ang1), j);
     if (b >= 0) add_chain(b, on_body(b, row.lin2, row.ang2), j);
 }
@@ -188,7 +193,8 @@ void TreeSolve::write_row(int i)
     FrictionRow& to = problem_.rows()[std::size_t(i)];
     to = {double(n.lo), double(n.hi), -1, false, false};
     problem_.p()[std::size_t(i)] = double(n.p);
-    const double v = product(its_y.data(), z_.data(), u_.size()) + kinematic_part(block, row), c = double(n.c);
+    const double v = product(its_y.data(), z_.data(), u_.size()) + kinematic_part(block, row),
+                 c = double(n.c);
     problem_.b()[std::size_t(i)] = v - c;
     scale_ = std::max({scale_, std::fabs(c), std::fabs(v - c)});
 }
@@ -323,7 +329,8 @@ bool TreeSolve::prepare_corrections(Arena& arena)
     if (arena.failed()) return false;
     double* const L = acting_factor_.data();
     for (int i = 0; i < n; ++i) {
-        for (int k = 0; k <= i; ++k) L[i * n + k] = problem_.row(acting_[std::size_t(i)])[acting_[std::size_t(k)]];
+        for (int k = 0; k <= i; ++k)
+            L[i * n + k] = problem_.row(acting_[std::size_t(i)])[acting_[std::size_t(k)]];
         for (int k = 0; k < i; ++k) {
             const double a = (L[i * n + k] - product(L + i * n, L + k * n, std::size_t(k))) / L[k * n + k];
             L[i * n + k] = a;
@@ -457,7 +464,8 @@ bool TreeSolve::least_displacement(std::span<const double> errors, std::span<dou
         for (int k = 0; k < count; ++k) problem.row(i)[k] = problem_.row(from)[acting_[std::size_t(k)]];
         problem.row(i)[i] *= 1 + 1e-9;
         const double e = errors[std::size_t(source)];
-        problem.rows()[std::size_t(i)] = {n.lo == 0 ? 0 : -double(kInf), n.hi == 0 ? 0 : double(kInf), -1, false, false};
+        problem.rows()[std::size_t(i)] = {n.lo == 0 ? 0 : -double(kInf), n.hi == 0 ? 0 : double(kInf), -1,
+                                          false, false};
         problem.b()[std::size_t(i)] = -e;
         scale = std::max(scale, std::fabs(e));
     }

@@ -70,7 +70,7 @@ class TreeSolve {
 
   private:
     struct TreeRow {
-        int source;   // of the system
+        int source;  // of the system
         int block;
         double ratio;  // of the second row of a disc: its bound over that of the first
     };

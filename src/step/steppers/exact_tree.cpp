@@ -35,21 +35,22 @@ bool is_still(const RowSystem& system, int body)
 
 bool is_rigid_and_closed(const Row& row, Real arms, Real tolerance)
 {
-    const bool rigid = row.kind == RowKind::kLock && row.lo == -kInf && row.hi == kInf && !row.drive && !row.given &&
-                       row.cfm <= kDefaultCfm;
+    const bool rigid = row.kind == RowKind::kLock && row.lo == -kInf && row.hi == kInf && !row.drive &&
+                       !row.given && row.cfm <= kDefaultCfm;
     const bool turns = row.lin1 == Vec3{};
     return rigid && std::fabs(row.error) <= (turns ? tolerance : tolerance * arms);
 }
 
 class TreeRun {
   public:
-    explicit TreeRun(IslandRun& run) : run_(run), work_(run.work), system_(run.work.system), arena_(run.arena) {}
+    explicit TreeRun(IslandRun& run) : run_(run), work_(run.work), system_(run.work.system), arena_(run.arena)
+    {}
 
     bool is_wanted() const
     {
-        return run_.world.joint_coordinates && !run_.world.acts_as_ode() && !run_.has_parts() && run_.raised == 0 &&
-               system_.joint_contacts.manifolds.empty() && system_.contact_manifolds.empty() &&
-               !work_.joints.empty();
+        return run_.world.joint_coordinates && !run_.world.acts_as_ode() && !run_.has_parts() &&
+               run_.raised == 0 && system_.joint_contacts.manifolds.empty() &&
+               system_.contact_manifolds.empty() && !work_.joints.empty();
     }
 
     TreeOutcome step()
@@ -72,7 +73,10 @@ class TreeRun {
     }
 
   private:
-    TreeOutcome failed(TreeOutcome otherwise) const { return arena_.failed() ? TreeOutcome::kNoMemory : otherwise; }
+    TreeOutcome failed(TreeOutcome otherwise) const
+    {
+        return arena_.failed() ? TreeOutcome::kNoMemory : otherwise;
+    }
 
     bool choose_kinds()
     {
@@ -93,7 +97,8 @@ class TreeRun {
     bool is_of_kind(const RowBlock& block, LinkJoint kind) const
     {
         const int locks = lock_rows(kind);
-        if (kind != LinkJoint::kNone && (!is_still(system_, block.body1) || !is_still(system_, block.body2))) return false;
+        if (kind != LinkJoint::kNone && (!is_still(system_, block.body1) || !is_still(system_, block.body2)))
+            return false;
         const Real arms = length(block.arms.r1) + length(block.arms.r2) + kLeastArm;
         for (int i = 0; i < block.count; ++i) {
             const Row& row = system_.rows[std::size_t(block.first + i)];

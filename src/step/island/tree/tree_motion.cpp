@@ -12,9 +12,9 @@ namespace epode {
 namespace {
 
 constexpr int kMaxIterations = 8;
-constexpr double kEnough = 1e-7;    // rad and m, of a correction of the displacement
+constexpr double kEnough = 1e-7;           // rad and m, of a correction of the displacement
 constexpr Real kLongestTurn = Real(0.02);  // opening relative to the lever, about (w h)^2/2
-constexpr double kLongest = 0.5;    // times the last correction, that the next one must not exceed
+constexpr double kLongest = 0.5;           // times the last correction, that the next one must not exceed
 
 }  // namespace
 
@@ -59,7 +59,8 @@ bool TreeMotion::advance()
     if (arena_->failed()) return false;
     if (!is_too_long() && corrects && iterate()) {
         keep_momentum();
-        for (std::size_t i = 0; i < size_; ++i) solver_body(i).w = path_[i].ang, solver_body(i).v = path_[i].lin;
+        for (std::size_t i = 0; i < size_; ++i)
+            solver_body(i).w = path_[i].ang, solver_body(i).v = path_[i].lin;
     } else {
         fly();
     }
@@ -85,7 +86,8 @@ void TreeMotion::fly()
 {
     solve_->forget_corrections();
     measure_path();
-    for (std::size_t i = 0; i < size_; ++i) store(body(i).lvel, solver_body(i).v), store(body(i).avel, solver_body(i).w);
+    for (std::size_t i = 0; i < size_; ++i)
+        store(body(i).lvel, solver_body(i).v), store(body(i).avel, solver_body(i).w);
     const FreeMomentum momentum(*work_);
     store_poses();
     momentum.restore();
@@ -147,7 +149,8 @@ void TreeMotion::store_poses() const
 Real TreeMotion::gap(const RowBlock& block, const Row& row, std::size_t k) const
 {
     Real e = row.error - work_->system.h * row_velocity(work_->system, block, row, work_->system.bodies);
-    if (row.kind == RowKind::kNormal && k >= work_->joints.size()) e += work_->system.h * std::min(row.speed, Real(0));
+    if (row.kind == RowKind::kNormal && k >= work_->joints.size())
+        e += work_->system.h * std::min(row.speed, Real(0));
     return e;
 }
 
@@ -192,7 +195,8 @@ ProjectionReport TreeMotion::project()
     const double h = double(work_->system.h);
     if (!solve_->least_displacement(errors, dq_, *arena_)) return report;
     for (std::size_t k = 0; k < dq_.size(); ++k) dq_[k] += h * solve_->u()[k];
-    for (std::size_t i = 0; i < size_; ++i) store(body(i).lvel, path_[i].lin), store(body(i).avel, path_[i].ang);
+    for (std::size_t i = 0; i < size_; ++i)
+        store(body(i).lvel, path_[i].lin), store(body(i).avel, path_[i].ang);
     const FreeMomentum momentum(*work_);
     poses_.go(dq_);
     store_poses();

@@ -37,7 +37,10 @@ class TreeMotion {
     {
         return work_->system.bodies[std::size_t(tree_->link(int(link)).body)];
     }
-    Body& body(std::size_t link) const { return *work_->island.bodies[std::size_t(tree_->link(int(link)).body)]; }
+    Body& body(std::size_t link) const
+    {
+        return *work_->island.bodies[std::size_t(tree_->link(int(link)).body)];
+    }
     void measure_path();
     void gather_momentum(std::span<const Spatial> velocities, std::span<double> out);
     bool is_too_long() const;

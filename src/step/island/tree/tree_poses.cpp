@@ -30,8 +30,9 @@ Vec3 turn_of(Quat q)
     const Vec3 v = q.w < 0 ? -q.vec() : q.vec();
     const Real t = length2(v);
     if (t < Real(0.0025))
-        return (2 + t * (Real(1) / 3 +
-                         t * (Real(3) / 20 + t * (Real(5) / 56 + t * (Real(35) / 576 + t * (Real(63) / 1408)))))) *
+        return (2 +
+                t * (Real(1) / 3 + t * (Real(3) / 20 +
+                                        t * (Real(5) / 56 + t * (Real(35) / 576 + t * (Real(63) / 1408)))))) *
                v;
     const Real s = std::sqrt(t);
     return (2 * epode::atan2(s, std::fabs(q.w)) / s) * v;
@@ -70,7 +71,8 @@ TreePoses::Local TreePoses::local(const IslandWork& work, const JointTree& tree,
     const Real sign = link.is_body1 ? 1 : -1;
     out.relative = conjugate(parent.q) * its.q;
     Vec3 turn;  // of the link, in the world
-    for (int k = slides ? 0 : 3; k < (slides ? 3 : lock_rows(link.joint)); ++k) turn += (sign * rows[k].error) * rows[k].ang1;
+    for (int k = slides ? 0 : 3; k < (slides ? 3 : lock_rows(link.joint)); ++k)
+        turn += (sign * rows[k].error) * rows[k].ang1;
     out.turn = transposed_times(parent.R, turn);
     if (link.count == 1) {
         const Spatial& motion = tree.motion(link.first);
@@ -116,7 +118,8 @@ void TreePoses::go(std::size_t i, const double* dq)
         Vec3 turn = l.turn;
         if (link.joint == LinkJoint::kHinge) turn += Real(own[0]) * l.axis;
         if (link.joint == LinkJoint::kBall)
-            turn += transposed_times(parent_of(link, before_).R, Vec3{Real(own[0]), Real(own[1]), Real(own[2])});
+            turn +=
+                transposed_times(parent_of(link, before_).R, Vec3{Real(own[0]), Real(own[1]), Real(own[2])});
         to.q = parent.q * (turn_by(turn) * l.relative);
         if (link.joint == LinkJoint::kSlider)
             to.x = parent.x + parent.R * (l.offset + Real(own[0]) * l.axis);
@@ -127,7 +130,8 @@ void TreePoses::go(std::size_t i, const double* dq)
     }
     normalize(to.q);
     to.R = to_matrix(to.q);
-    if (link.joint == LinkJoint::kHinge || link.joint == LinkJoint::kBall) to.x -= to.R * locals_[i].own_anchor;
+    if (link.joint == LinkJoint::kHinge || link.joint == LinkJoint::kBall)
+        to.x -= to.R * locals_[i].own_anchor;
 }
 
 Spatial TreePoses::displacement(int link) const

@@ -44,7 +44,8 @@ void TreeMotion::find_rates(std::span<double> rates) const
         }
         for (int k = link.first; k < link.first + link.count; ++k) {
             const Spatial& m = tree_->motion(k);
-            rates[std::size_t(k)] = double(link.joint == LinkJoint::kSlider ? dot(m.lin, v.lin) : dot(m.ang, v.ang));
+            rates[std::size_t(k)] =
+                double(link.joint == LinkJoint::kSlider ? dot(m.lin, v.lin) : dot(m.ang, v.ang));
         }
     }
 }
