@@ -49,8 +49,8 @@ class TreeRun {
     bool is_wanted() const
     {
         return run_.world.joint_coordinates && !run_.world.acts_as_ode() && !run_.has_parts() &&
-               run_.raised == 0 && system_.joint_contacts.manifolds.empty() &&
-               system_.contact_manifolds.empty() && !work_.joints.empty();
+               system_.joint_contacts.manifolds.empty() && system_.contact_manifolds.empty() &&
+               !work_.joints.empty();
     }
 
     TreeOutcome step()
@@ -111,11 +111,12 @@ class TreeRun {
 
     TreeOutcome finish()
     {
-        if (!motion_.advance()) return TreeOutcome::kNoMemory;
+        if (!motion_.advance(run_.raised > 0)) return TreeOutcome::kNoMemory;
         ProjectionReport projected;
         if (run_.world.projection_iterations > 0) run_.correct_poses([&] { projected = motion_.project(); });
         if (!motion_.settle_velocities()) return TreeOutcome::kNoMemory;
         run_.report_solution();
+        run_.report_raised();
         if (!run_.is_sound()) return TreeOutcome::kRefused;
         run_.add_solution_to_ledger(false);
         write_back(work_, run_.tasks);

@@ -49,7 +49,7 @@ void TreeMotion::gather_momentum(std::span<const Spatial> velocities, std::span<
     tree_->gather(scratch_, out);
 }
 
-bool TreeMotion::advance()
+bool TreeMotion::advance(bool is_raised)
 {
     solve_->store_velocities();
     for (std::size_t i = 0; i < size_; ++i) path_[i] = {solver_body(i).w, solver_body(i).v};
@@ -57,7 +57,7 @@ bool TreeMotion::advance()
     measure_path();
     const bool corrects = solve_->prepare_corrections(*arena_);
     if (arena_->failed()) return false;
-    if (!is_too_long() && corrects && iterate()) {
+    if (!is_raised && !is_too_long() && corrects && iterate()) {
         keep_momentum();
         for (std::size_t i = 0; i < size_; ++i)
             solver_body(i).w = path_[i].ang, solver_body(i).v = path_[i].lin;

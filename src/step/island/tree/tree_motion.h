@@ -23,8 +23,9 @@ class TreeMotion {
     // After the solution. `tree` moves along. False: out of memory.
     bool begin(const World& world, IslandWork& work, JointTree& tree, TreeSolve& solve, Arena& arena);
 
-    // The velocities and impulses with which the bodies get to their poses; bodies are there then. False: out of memory.
-    bool advance();
+    // The velocities and impulses with which the bodies get to their poses; bodies are there then. `is_raised`: inertias are
+    // (positions/tension.h), and what that has taken is not given back. False: out of memory.
+    bool advance(bool is_raised);
     // Removes what is beyond stops and inside contacts. Behind advance().
     ProjectionReport project();
     // Velocities that joints allow at the end, in the bodies of the system and of the world, and p of the rows of joints, from which
