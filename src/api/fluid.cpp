@@ -7,7 +7,7 @@
 #include "base/float_environment.h"
 #include "base/objects/struct_size.h"
 #include "collide/types/registry.h"
-#include "dynamics/fluid.h"
+#include "dynamics/forces/fluid.h"
 #include "fluid/water_level.h"
 #include "step/fluids.h"
 #include "step/step.h"

@@ -9,9 +9,9 @@
 #include "base/objects/structure_edition.h"
 #include "base/streams/content_hash.h"
 #include "dynamics/active.h"
+#include "dynamics/forces/vehicle.h"
 #include "dynamics/joint.h"
 #include "dynamics/sleep/sleeping_forces.h"
-#include "dynamics/vehicle.h"
 #include "dynamics/world.h"
 
 namespace epode {

@@ -131,7 +131,7 @@ struct Body : Numbered {
     std::uint64_t put_down = 0;   // when the program has disabled it: a number as of disturbances
     ForcedLink forced;
     BodyInFluid fluid;
-    Vehicle* vehicle = nullptr;  // what makes it one (dynamics/vehicle.h); null: it is none
+    Vehicle* vehicle = nullptr;  // what makes it one (dynamics/forces/vehicle.h); null: it is none
 
     Pose pose() const { return load_pose(pos, R); }
     Vec3 position() const { return load(pos); }

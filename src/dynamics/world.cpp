@@ -9,7 +9,7 @@
 #include <atomic>
 
 #include "base/call_guard.h"
-#include "dynamics/fluid.h"
+#include "dynamics/forces/fluid.h"
 
 namespace epode {
 namespace {

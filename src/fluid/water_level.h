@@ -8,7 +8,7 @@
 // by (k e)^2/6 and (k e)^2/10.) Larger bodies should have several geoms.
 #pragma once
 
-#include "dynamics/fluid.h"
+#include "dynamics/forces/fluid.h"
 #include "fluid/floating_geom.h"
 
 namespace epode {

@@ -6,7 +6,7 @@
 //   1 -> 2   checksum, and what format 4 of states has changed
 //   2 -> 3   the budget of hybrid steps (state/object_structure.cpp)
 //   3 -> 4   characters (collide/character.cpp)
-//   4 -> 5   fluids (state/world_structure.cpp), vehicles (dynamics/vehicle.cpp)
+//   4 -> 5   fluids (state/world_structure.cpp), vehicles (dynamics/forces/vehicle.cpp)
 #pragma once
 
 #include <cstddef>

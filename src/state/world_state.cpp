@@ -10,9 +10,9 @@
 #include "collide/character.h"
 #include "dynamics/active.h"
 #include "dynamics/body_state.h"
-#include "dynamics/fluid.h"
+#include "dynamics/forces/fluid.h"
+#include "dynamics/forces/vehicle.h"
 #include "dynamics/joint_state.h"
-#include "dynamics/vehicle.h"
 #include "step/common/link.h"
 
 namespace epode {

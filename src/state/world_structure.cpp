@@ -10,9 +10,9 @@
 
 #include "base/check.h"
 #include "base/objects/structure_edition.h"
-#include "dynamics/fluid.h"
+#include "dynamics/forces/fluid.h"
+#include "dynamics/forces/vehicle.h"
 #include "dynamics/joint_drives.h"
-#include "dynamics/vehicle.h"
 #include "fluid/floating_geom.h"
 #include "joints/drive_rows.h"
 #include "joints/registry.h"

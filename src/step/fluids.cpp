@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "dynamics/fluid.h"
+#include "dynamics/forces/fluid.h"
 #include "fluid/fluid_forces.h"
 #include "fluid/water_level.h"
 

@@ -16,7 +16,7 @@
 //   tracks: left and right turn as rho_l : rho_r, (1 - 2 s) : 1 for s > 0, on the spot at s = 1
 #pragma once
 
-#include "dynamics/vehicle.h"
+#include "dynamics/forces/vehicle.h"
 
 namespace epode {
 

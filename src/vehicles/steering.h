@@ -10,7 +10,7 @@
 // Fundamentals of Vehicle Dynamics, ch. 8). If all shares are equal, wheels stay parallel and kappa is 0.
 #pragma once
 
-#include "dynamics/vehicle.h"
+#include "dynamics/forces/vehicle.h"
 
 namespace epode {
 

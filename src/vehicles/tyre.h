@@ -21,7 +21,7 @@
 // secant g(z) = y(z) / (3 z), which the solver takes from the last iteration.
 #pragma once
 
-#include "dynamics/vehicle.h"
+#include "dynamics/forces/vehicle.h"
 
 namespace epode {
 

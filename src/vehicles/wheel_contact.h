@@ -11,7 +11,7 @@
 
 #include "base/array.h"
 #include "collide/space.h"
-#include "dynamics/vehicle.h"
+#include "dynamics/forces/vehicle.h"
 
 namespace epode {
 

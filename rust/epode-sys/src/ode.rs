@@ -686,6 +686,8 @@ pub const dIslandMethodSweeps: dIslandMethod = 4;
 pub const dIslandMethodSubsteps: dIslandMethod = 5;
 /// substeps with all joints solved together
 pub const dIslandMethodSubstepsExactJoints: dIslandMethod = 6;
+/// exact: in joint coordinates (dWorldSetJointCoordinates)
+pub const dIslandMethodJointCoordinates: dIslandMethod = 7;
 /// What steps do about the path of a geom from one place to the next.
 pub type dContinuousMode = c_uint;
 /// nothing: where it ends is what counts
@@ -3045,6 +3047,14 @@ extern "C" {
     pub fn dWorldSetExactRotation(world: dWorldID, mode: c_int);
     /// The mode that dWorldSetExactRotation has set, 0 at first.
     pub fn dWorldGetExactRotation(world: dWorldID) -> c_int;
+    /// Choose whether dWorldStep solves islands of robots in the coordinates of their joints (mode 1) or of
+    /// their bodies (mode 0, the default): joints then stay closed to rounding, and a step of a robot costs a fraction. It does so where
+    /// hinges, sliders, balls and fixed joints make no loops, have no springs of their own and are closed to the tolerance of
+    /// dWorldSetStepProjection; contacts, stops, motors and drives may act. Other islands are solved as in mode 0:
+    /// dIslandStepReport::method says how. Other values are refused, as is a call during a step.
+    pub fn dWorldSetJointCoordinates(world: dWorldID, mode: c_int);
+    /// The mode that dWorldSetJointCoordinates has set, 0 at first.
+    pub fn dWorldGetJointCoordinates(world: dWorldID) -> c_int;
     /// Set into how many equal substeps (count) dWorldStep divides its step; 1 is the
     /// default. Each is an exact solve with the poses, joints and stops of that moment, after one collision.
     /// ERP and CFM keep their meaning for the whole step, forces are held over it, and joint feedback is the

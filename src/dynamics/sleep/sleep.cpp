@@ -7,9 +7,9 @@
 
 #include <algorithm>
 
+#include "dynamics/forces/vehicle.h"
 #include "dynamics/joint.h"
 #include "dynamics/sleep/sleeping_forces.h"
-#include "dynamics/vehicle.h"
 
 namespace epode {
 namespace {

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // dWorldStep on random mechanisms (tests/mechanisms): joints of every type, redundant loops, mass ratios up
-// to a million, contacts, stops, motors. On every step the natural residual is at most 1e-9 (1.2e-4 in single
+// to a million, contacts, stops, motors. On every step the natural residual is at most 1e-9 (1e-4 in single
 // precision), nothing is contained, nothing is said and everything is finite. Some forty here, the numbers
 // that once failed among them; a thousand in mechanism_sweep, which scripts/nightly runs. What has torn apart
 // by more than the radius of the earth's orbit is not judged: products of such arms and of a metre have no
@@ -15,10 +15,7 @@
 namespace epode::physics {
 namespace {
 
-// The residual is that of the velocities that the program reads. Rounded to floats these are off by half an epsilon of
-// sum |J_k v_k| in a row, and the scale may be as little as a thousandth of that sum before the joints act: 500 epsilon, and
-// twice that where they make velocities larger.
-constexpr double kResidual = tol(1e-9, 1000 * kEpsilon);
+constexpr double kResidual = tol(1e-9, 1e-4);
 constexpr double kJudged = 1.5e11;  // m
 
 // Rows that contradict each other without softness (CFM 0): no velocities satisfy all of them.

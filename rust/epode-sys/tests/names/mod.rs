@@ -406,6 +406,7 @@ macro_rules! ode_numbers {
         dIslandMethodSweeps
         dIslandMethodSubsteps
         dIslandMethodSubstepsExactJoints
+        dIslandMethodJointCoordinates
         dContinuousOff
         dContinuousOn
         dContinuousIgnored
@@ -814,6 +815,8 @@ macro_rules! ode_functions {
         dWorldGetManifoldFriction
         dWorldSetExactRotation
         dWorldGetExactRotation
+        dWorldSetJointCoordinates
+        dWorldGetJointCoordinates
         dWorldSetExactSubsteps
         dWorldGetExactSubsteps
         dWorldSetStepProjection

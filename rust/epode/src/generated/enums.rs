@@ -330,6 +330,8 @@ pub enum IslandMethod {
     Substeps = sys::dIslandMethodSubsteps as isize,
     /// substeps with all joints solved together
     SubstepsExactJoints = sys::dIslandMethodSubstepsExactJoints as isize,
+    /// exact: in joint coordinates (dWorldSetJointCoordinates)
+    JointCoordinates = sys::dIslandMethodJointCoordinates as isize,
 }
 #[allow(dead_code)]
 impl IslandMethod {
@@ -345,6 +347,7 @@ impl IslandMethod {
             4 => Self::Sweeps,
             5 => Self::Substeps,
             6 => Self::SubstepsExactJoints,
+            7 => Self::JointCoordinates,
             _ => Self::None,
         }
     }

@@ -156,6 +156,13 @@ impl World {
         r != 0
     }
 
+    /// The mode that dWorldSetJointCoordinates has set, 0 at first.
+    ///
+    /// C: `dWorldGetJointCoordinates`.
+    pub fn joint_coordinates(&self) -> i32 {
+        sure(|| unsafe { sys::dWorldGetJointCoordinates(self.raw()) })
+    }
+
     /// The number that dWorldSetExactSubsteps has set, 1 at first.
     ///
     /// C: `dWorldGetExactSubsteps`.
@@ -452,6 +459,17 @@ impl World {
     /// C: `dWorldSetExactRotation`.
     pub fn set_exact_rotation(&mut self, mode: bool) -> Result<()> {
         call(|| unsafe { sys::dWorldSetExactRotation(self.raw(), i32::from(mode)) })
+    }
+
+    /// Choose whether dWorldStep solves islands of robots in the coordinates of their joints (mode 1) or of
+    /// their bodies (mode 0, the default): joints then stay closed to rounding, and a step of a robot costs a fraction. It does so where
+    /// hinges, sliders, balls and fixed joints make no loops, have no springs of their own and are closed to the tolerance of
+    /// dWorldSetStepProjection; contacts, stops, motors and drives may act. Other islands are solved as in mode 0:
+    /// dIslandStepReport::method says how. Other values are refused, as is a call during a step.
+    ///
+    /// C: `dWorldSetJointCoordinates`.
+    pub fn set_joint_coordinates(&mut self, mode: i32) -> Result<()> {
+        call(|| unsafe { sys::dWorldSetJointCoordinates(self.raw(), mode) })
     }
 
     /// Set into how many equal substeps (count) dWorldStep divides its step; 1 is the

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Settings and memory of vehicles: checks, birth and death, bytes of states and files.
-#include "dynamics/vehicle.h"
+#include "dynamics/forces/vehicle.h"
 
 #include <algorithm>
 #include <iterator>

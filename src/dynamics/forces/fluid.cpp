@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
-#include "dynamics/fluid.h"
+#include "dynamics/forces/fluid.h"
 
 #include "base/objects/pool.h"
 #include "dynamics/world.h"
