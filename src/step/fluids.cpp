@@ -18,7 +18,7 @@ void refresh_volumes(const World& world)
         if (Geom* volume = from_handle<Geom>(fluid->volume)) (void)pose_of(*volume);
 }
 
-bool calls_program(const World& world)
+bool has_callbacks(const World& world)
 {
     return std::any_of(world.fluids.begin(), world.fluids.end(),
                        [](const Fluid* f) { return f->has_functions(); });
@@ -49,7 +49,7 @@ bool apply_fluids(World& world, Real h, const Tasks& tasks, StepUndo& undo, Aren
     if (arena.failed() || !undo.save_fluids(arena)) return false;
     refresh_volumes(world);
     const Tasks alone(1);
-    (calls_program(world) ? alone : tasks).in_ranges(int(bodies.size()), 64, [&](int begin, int end) {
+    (has_callbacks(world) ? alone : tasks).in_ranges(int(bodies.size()), 64, [&](int begin, int end) {
         for (int i = begin; i < end; ++i)
             found[std::size_t(i)] = fluid_forces(world, *bodies[std::size_t(i)], h);
     });
