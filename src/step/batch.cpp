@@ -15,6 +15,7 @@
 #include "dynamics/joint_drives.h"
 #include "query/candidates.h"
 #include "step/common/link.h"
+#include "step/fluids.h"
 #include "step/step.h"
 #include "step/steppers/stepper.h"
 #include "tasks/tasks.h"
@@ -70,7 +71,7 @@ bool calls_program(const Body& body)
 // Worlds that draw from the process's generator take turns as well, in the order of the array.
 bool calls_program(World& world)
 {
-    if (world.threading || world.acts_as_ode()) return true;
+    if (world.threading || world.acts_as_ode() || fluids_call_program(world)) return true;
     for (Body& body : world.bodies)
         if (calls_program(body)) return true;
     const ContactWorld* contacts = world_contacts(world);

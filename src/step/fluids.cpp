@@ -18,12 +18,6 @@ void refresh_volumes(const World& world)
         if (Geom* volume = from_handle<Geom>(fluid->volume)) (void)pose_of(*volume);
 }
 
-bool has_callbacks(const World& world)
-{
-    return std::any_of(world.fluids.begin(), world.fluids.end(),
-                       [](const Fluid* f) { return f->has_functions(); });
-}
-
 bool would_be_wet(const World& world, const Body& body)
 {
     bool wet = false;
@@ -39,6 +33,12 @@ bool would_be_wet(const World& world, const Body& body)
 
 }  // namespace
 
+bool fluids_call_program(const World& world)
+{
+    return std::any_of(world.fluids.begin(), world.fluids.end(),
+                       [](const Fluid* f) { return f->has_functions(); });
+}
+
 bool apply_fluids(World& world, Real h, const Tasks& tasks, StepUndo& undo, Arena& arena)
 {
     const std::span<Body* const> bodies = undo.bodies();
@@ -49,7 +49,7 @@ bool apply_fluids(World& world, Real h, const Tasks& tasks, StepUndo& undo, Aren
     if (arena.failed() || !undo.save_fluids(arena)) return false;
     refresh_volumes(world);
     const Tasks alone(1);
-    (has_callbacks(world) ? alone : tasks).in_ranges(int(bodies.size()), 64, [&](int begin, int end) {
+    (fluids_call_program(world) ? alone : tasks).in_ranges(int(bodies.size()), 64, [&](int begin, int end) {
         for (int i = begin; i < end; ++i)
             found[std::size_t(i)] = fluid_forces(world, *bodies[std::size_t(i)], h);
     });

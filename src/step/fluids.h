@@ -11,6 +11,9 @@
 
 namespace epode {
 
+// Whether a step asks functions of the program about a fluid: they run on the caller's thread.
+[[nodiscard]] bool fluids_call_program(const World& world);
+
 // False: out of memory.
 [[nodiscard]] bool apply_fluids(World& world, Real h, const Tasks& tasks, StepUndo& undo, Arena& arena);
 

@@ -4,6 +4,8 @@
 // Worlds with fluids repeat themselves: on any number of threads, from a state, as a clone, from a file, after steps taken back.
 #include <cstring>
 #include <functional>
+#include <memory>
+#include <thread>
 #include <vector>
 
 #include "pool.h"
@@ -145,6 +147,35 @@ TEST(fluid_bits, state_of_a_world_with_another_number_of_fluids_is_refused)
     EXPECT_EQ(dWorldSetState(harbour.pool.world, before.data(), before.size()), 0);
     dFluidDestroy(second);
     EXPECT_EQ(dWorldSetState(harbour.pool.world, before.data(), before.size()), 1);
+}
+
+// Of many worlds stepped together, too: those with functions take turns on the caller's thread.
+TEST(fluid_bits, call_functions_on_the_callers_thread)
+{
+    struct Heard {
+        std::thread::id caller = std::this_thread::get_id();
+        int calls = 0, elsewhere = 0;
+    };
+    const auto listen = [](void* data, const dVector3, dReal) -> dReal {
+        auto& heard = *static_cast<Heard*>(data);
+        ++heard.calls;
+        if (std::this_thread::get_id() != heard.caller) ++heard.elsewhere;
+        return 0;
+    };
+    std::vector<Heard> heard(16);
+    std::vector<std::unique_ptr<Pool>> pools;
+    std::vector<dWorldID> worlds;
+    for (Heard& one : heard) {
+        pools.push_back(std::make_unique<Pool>());
+        for (int i = 0; i < 20; ++i) pools.back()->ball(0.1, 500, 0);
+        dFluidSetSurface(pools.back()->fluid, listen, &one);
+        worlds.push_back(pools.back()->world);
+    }
+    ASSERT_EQ(dWorldsStep(worlds.data(), 16, real(0.01), dStepperExact, 20, 10, 4, nullptr), 16);
+    for (const Heard& one : heard) {
+        EXPECT_GT(one.calls, 0);
+        EXPECT_EQ(one.elsewhere, 0);
+    }
 }
 
 }  // namespace
