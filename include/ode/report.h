@@ -56,12 +56,12 @@ typedef struct dWorldStepReport {
 
 /** How an island was solved. */
 typedef enum {
-    dIslandMethodNone,               /**< nothing to solve */
-    dIslandMethodDense,              /**< exact: active set on the dense matrix of a small island */
-    dIslandMethodActiveSet,          /**< exact: active set on the sparse matrix */
-    dIslandMethodInteriorPoint,      /**< exact: interior point, then the active set from its answer */
-    dIslandMethodSweeps,             /**< dWorldQuickStep */
-    dIslandMethodSubsteps,           /**< dWorldStepFast1 */
+    dIslandMethodNone,                /**< nothing to solve */
+    dIslandMethodDense,               /**< exact: active set on the dense matrix of a small island */
+    dIslandMethodActiveSet,           /**< exact: active set on the sparse matrix */
+    dIslandMethodInteriorPoint,       /**< exact: interior point, then the active set from its answer */
+    dIslandMethodSweeps,              /**< dWorldQuickStep */
+    dIslandMethodSubsteps,            /**< dWorldStepFast1 */
     dIslandMethodSubstepsExactJoints, /**< substeps with all joints solved together */
     dIslandMethodJointCoordinates     /**< exact: in joint coordinates (dWorldSetJointCoordinates) */
 } dIslandMethod;

@@ -64,33 +64,33 @@ typedef struct dVehicleSettings {
     dVector3 forward;     /**< in the body's frame, of any length but 0, not along up. (1, 0, 0) */
     dVector3 up;          /**< likewise; the suspensions work along it. (0, 0, 1) */
     int torque_points;    /**< of the engine's curve at full throttle, 2 ... 16; straight between them. 5 */
-    dReal engine_speeds[16]; /**< rad/s, each above the one before, the first 0 or more;
+    dReal engine_speeds[16];  /**< rad/s, each above the one before, the first 0 or more;
         the last is the limiter's. 0, 150, 350, 550, 650 */
     dReal engine_torques[16]; /**< N m, 0 or more. 120, 220, 300, 280, 240 */
-    dReal engine_inertia; /**< kg m^2, above 0. 0.2 */
-    dReal engine_drag;    /**< N m at the limiter with closed throttle, in proportion to speed. 60 */
-    dReal idle_speed;     /**< rad/s, that the engine keeps by itself, 0 or more. 90 */
-    int automatic;        /**< 1: it shifts by itself between forward gears; 0: dVehicleSetGear alone. 1 */
-    int gears;            /**< forward, 1 ... 10. 5 */
-    dReal gear_ratios[10]; /**< engine over shaft, above 0. 3.5, 2.1, 1.45, 1.1, 0.9 */
-    dReal reverse_ratio;       /**< above 0. 3.3 */
-    dReal final_ratio;         /**< shaft over wheels, above 0. 3.8 */
-    dReal shift_time;          /**< s without drive while it shifts, 0 or more. 0.2 */
-    dReal shift_up_speed;      /**< of the engine, rad/s: the automatic gearbox shifts up above it. 580 */
-    dReal shift_down_speed;    /**< and down below it; it does not shift up to less. 230 */
-    dReal clutch_torque;       /**< the greatest, N m, 0 or more. 700 */
-    int differential;          /**< a dDifferential, of each axle; of dVehicleTracked, of the sides. Open */
-    dReal lock_torque;         /**< of a limited one, N m, 0 or more. 200 */
-    int centre_differential;   /**< a dDifferential, between driven axles. Open */
-    dReal centre_lock_torque;  /**< of a limited one, N m, 0 or more. 200 */
-    dReal max_steer;           /**< rad, of a wheel in the middle with steer 1, 0 ... 1.4. 0.6 */
-    dReal steer_speed;         /**< rad/s, that it turns with at most, above 0. 2 */
-    dReal ackermann;           /**< 1: all axles point to one centre; 0: wheels of an axle are parallel. 1 */
-    dReal drag;                /**< N s^2/m^2: the air's force over the square of the speed, 0 or more. 0.4 */
-    dReal downforce;           /**< N s^2/m^2, along minus up at the centre of mass, 0 or more. 0 */
-    int abs;                   /**< 1: brakes, not the handbrake, keep below locking. 0 */
-    dReal lean_frequency;      /**< rad/s, of dVehicleBike: how fast it leans; 0: it does not hold itself. 8 */
-    dReal lean_limit;          /**< rad, 0 ... 1.4. 0.9 */
+    dReal engine_inertia;     /**< kg m^2, above 0. 0.2 */
+    dReal engine_drag;        /**< N m at the limiter with closed throttle, in proportion to speed. 60 */
+    dReal idle_speed;         /**< rad/s, that the engine keeps by itself, 0 or more. 90 */
+    int automatic;           /**< 1: it shifts by itself between forward gears; 0: dVehicleSetGear alone. 1 */
+    int gears;               /**< forward, 1 ... 10. 5 */
+    dReal gear_ratios[10];   /**< engine over shaft, above 0. 3.5, 2.1, 1.45, 1.1, 0.9 */
+    dReal reverse_ratio;     /**< above 0. 3.3 */
+    dReal final_ratio;       /**< shaft over wheels, above 0. 3.8 */
+    dReal shift_time;        /**< s without drive while it shifts, 0 or more. 0.2 */
+    dReal shift_up_speed;    /**< of the engine, rad/s: the automatic gearbox shifts up above it. 580 */
+    dReal shift_down_speed;  /**< and down below it; it does not shift up to less. 230 */
+    dReal clutch_torque;     /**< the greatest, N m, 0 or more. 700 */
+    int differential;        /**< a dDifferential, of each axle; of dVehicleTracked, of the sides. Open */
+    dReal lock_torque;       /**< of a limited one, N m, 0 or more. 200 */
+    int centre_differential; /**< a dDifferential, between driven axles. Open */
+    dReal centre_lock_torque; /**< of a limited one, N m, 0 or more. 200 */
+    dReal max_steer;          /**< rad, of a wheel in the middle with steer 1, 0 ... 1.4. 0.6 */
+    dReal steer_speed;        /**< rad/s, that it turns with at most, above 0. 2 */
+    dReal ackermann;          /**< 1: all axles point to one centre; 0: wheels of an axle are parallel. 1 */
+    dReal drag;               /**< N s^2/m^2: the air's force over the square of the speed, 0 or more. 0.4 */
+    dReal downforce;          /**< N s^2/m^2, along minus up at the centre of mass, 0 or more. 0 */
+    int abs;                  /**< 1: brakes, not the handbrake, keep below locking. 0 */
+    dReal lean_frequency;     /**< rad/s, of dVehicleBike: how fast it leans; 0: it does not hold itself. 8 */
+    dReal lean_limit;         /**< rad, 0 ... 1.4. 0.9 */
     unsigned long category_bits; /**< its wheels meet geoms whose collide bits have one of these ... ~0ul */
     unsigned long collide_bits;  /**< ... or whose category bits have one of these. ~0ul */
 } dVehicleSettings;
@@ -108,23 +108,23 @@ typedef struct dVehicleWheel {
     dReal preload;        /**< N, of the spring that hangs free, 0 or more. 0 */
     dReal stiffness;      /**< N/m, 0 or more. 30000 */
     dReal bump_damping;   /**< N s/m, where it is compressed, 0 or more. 3000 */
-    dReal rebound_damping;      /**< N s/m, where it extends, 0 or more. 3000 */
-    dReal stop_stiffness;       /**< N/m, beyond the travel, 0 or more. 300000 */
-    dReal anti_roll;            /**< N/m, times the difference of the pair's compressions, 0 or more. 0 */
-    dReal roll_centre;          /**< m above what it stands on, where lateral forces act on the chassis. 0 */
-    dReal friction_x;           /**< mu forward at the nominal load, above 0. 1.1 */
-    dReal friction_y;           /**< mu sideways, likewise. 1 */
-    dReal stiffness_x;          /**< force over load for a small slip ratio, above 0. 18 */
-    dReal stiffness_y;          /**< force over load for a small slip angle (rad), above 0. 14 */
-    dReal sliding;              /**< what is left of mu in full slip, 0 ... 1. 0.8 */
-    dReal nominal_load;         /**< N, above 0. 4000 */
-    dReal load_sensitivity;     /**< mu falls by this share where the load doubles, 0 ... 1. 0.05 */
-    dReal relaxation;           /**< m, that it rolls while its force builds up, above 0. 0.3 */
-    dReal rolling_resistance;   /**< force over load, 0 or more. 0.012 */
-    dReal steer;                /**< times the vehicle's angle, -1 ... 1. 0 */
-    dReal drive;                /**< its share of the torque, of all shares, 0 or more. 0 */
-    dReal brake_torque;         /**< N m at brake 1, 0 or more. 1500 */
-    dReal handbrake_torque;     /**< N m at handbrake 1, 0 or more. 0 */
+    dReal rebound_damping;    /**< N s/m, where it extends, 0 or more. 3000 */
+    dReal stop_stiffness;     /**< N/m, beyond the travel, 0 or more. 300000 */
+    dReal anti_roll;          /**< N/m, times the difference of the pair's compressions, 0 or more. 0 */
+    dReal roll_centre;        /**< m above what it stands on, where lateral forces act on the chassis. 0 */
+    dReal friction_x;         /**< mu forward at the nominal load, above 0. 1.1 */
+    dReal friction_y;         /**< mu sideways, likewise. 1 */
+    dReal stiffness_x;        /**< force over load for a small slip ratio, above 0. 18 */
+    dReal stiffness_y;        /**< force over load for a small slip angle (rad), above 0. 14 */
+    dReal sliding;            /**< what is left of mu in full slip, 0 ... 1. 0.8 */
+    dReal nominal_load;       /**< N, above 0. 4000 */
+    dReal load_sensitivity;   /**< mu falls by this share where the load doubles, 0 ... 1. 0.05 */
+    dReal relaxation;         /**< m, that it rolls while its force builds up, above 0. 0.3 */
+    dReal rolling_resistance; /**< force over load, 0 or more. 0.012 */
+    dReal steer;              /**< times the vehicle's angle, -1 ... 1. 0 */
+    dReal drive;              /**< its share of the torque, of all shares, 0 or more. 0 */
+    dReal brake_torque;       /**< N m at brake 1, 0 or more. 1500 */
+    dReal handbrake_torque;   /**< N m at handbrake 1, 0 or more. 0 */
 } dVehicleWheel;
 
 /** What the driver does. Each field ends with its default. */
@@ -139,38 +139,38 @@ typedef struct dVehicleControls {
 
 /** What the last update has done. */
 typedef struct dVehicleReport {
-    unsigned struct_size;   /**< sizeof(dVehicleReport), set by the caller */
-    int gear;               /**< -1 reverse, 0 neutral, 1 ... ; while it shifts the next */
-    dReal speed;            /**< of the chassis along forward, m/s */
-    dReal engine_speed;     /**< rad/s */
-    dReal engine_torque;    /**< N m */
-    dReal clutch_torque;    /**< N m, that the engine gives to the gearbox */
-    int is_shifting;        /**< 1: no drive, for it shifts */
-    int wheels_on_ground;   /**< how many stand on something */
-    dReal steer;            /**< the angle that it steers, rad */
-    dReal lean;             /**< rad, about forward, above 0 to the right */
-    dReal curvature;        /**< of the path that it steers, 1/m, above 0 to the left */
+    unsigned struct_size; /**< sizeof(dVehicleReport), set by the caller */
+    int gear;             /**< -1 reverse, 0 neutral, 1 ... ; while it shifts the next */
+    dReal speed;          /**< of the chassis along forward, m/s */
+    dReal engine_speed;   /**< rad/s */
+    dReal engine_torque;  /**< N m */
+    dReal clutch_torque;  /**< N m, that the engine gives to the gearbox */
+    int is_shifting;      /**< 1: no drive, for it shifts */
+    int wheels_on_ground; /**< how many stand on something */
+    dReal steer;          /**< the angle that it steers, rad */
+    dReal lean;           /**< rad, about forward, above 0 to the right */
+    dReal curvature;      /**< of the path that it steers, 1/m, above 0 to the left */
 } dVehicleReport;
 
 /** What the last update has done at a wheel. Without ground, its fields are 0. */
 typedef struct dVehicleWheelReport {
-    unsigned struct_size;     /**< sizeof(dVehicleWheelReport), set by the caller */
-    int on_ground;            /**< 1: it stands on something */
-    dGeomID ground;           /**< the geom; 0: none, or it is destroyed */
-    int ground_side;          /**< its triangle if it is a mesh, else -1 */
-    dVector3 ground_pos;      /**< where */
-    dVector3 ground_normal;   /**< unit */
-    dVector3 hub;             /**< the middle of the wheel, to draw it, with or without ground, m */
-    dReal steer;              /**< rad about up, above 0 to the left */
-    dReal angle;              /**< that it has turned, rad, 0 ... 2 pi */
-    dReal spin;               /**< rad/s, above 0 forward */
-    dReal compression;        /**< of the suspension, m */
-    dReal load;               /**< N along the normal */
-    dReal force_x;            /**< N, forward along the ground, on the vehicle */
-    dReal force_y;            /**< N, to the left */
-    dReal slip_ratio;         /**< of its speed over the ground: above 0 it drives */
-    dReal slip_angle;         /**< rad, from where it points to where it moves, above 0 to the left */
-    dReal slip;               /**< both together: from 1 on it slides. */
+    unsigned struct_size;   /**< sizeof(dVehicleWheelReport), set by the caller */
+    int on_ground;          /**< 1: it stands on something */
+    dGeomID ground;         /**< the geom; 0: none, or it is destroyed */
+    int ground_side;        /**< its triangle if it is a mesh, else -1 */
+    dVector3 ground_pos;    /**< where */
+    dVector3 ground_normal; /**< unit */
+    dVector3 hub;           /**< the middle of the wheel, to draw it, with or without ground, m */
+    dReal steer;            /**< rad about up, above 0 to the left */
+    dReal angle;            /**< that it has turned, rad, 0 ... 2 pi */
+    dReal spin;             /**< rad/s, above 0 forward */
+    dReal compression;      /**< of the suspension, m */
+    dReal load;             /**< N along the normal */
+    dReal force_x;          /**< N, forward along the ground, on the vehicle */
+    dReal force_y;          /**< N, to the left */
+    dReal slip_ratio;       /**< of its speed over the ground: above 0 it drives */
+    dReal slip_angle;       /**< rad, from where it points to where it moves, above 0 to the left */
+    dReal slip;             /**< both together: from 1 on it slides. */
 } dVehicleWheelReport;
 
 /** Fills *settings with the default of every field and writes struct_size, which is sizeof(dVehicleSettings),

@@ -41,7 +41,7 @@ struct World : Tagged {
     std::uint64_t connections_version = 0;
     int driven_joints = 0;  // that have JointDrives
     Array<CouplingJoint*> couplings;
-    Array<Fluid*> fluids;  // the oldest first
+    Array<Fluid*> fluids;          // the oldest first
     Body* first_forced = nullptr;  // bodies that are asleep with forces: dynamics/sleep/sleeping_forces
 
     Vec3 gravity;

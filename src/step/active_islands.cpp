@@ -49,7 +49,8 @@ bool ActiveIslands::find_islands(Arena& arena)
     std::span<ManifoldEdge> manifolds;
     Islands found;
     do {
-        if (updates_contacts_) state_.world_contacts.show_manifolds(tasks_);  // those of bodies that were reached
+        if (updates_contacts_)
+            state_.world_contacts.show_manifolds(tasks_);  // those of bodies that were reached
         if (updates_contacts_ && !state_.world_contacts.touching(tasks_, arena, manifolds)) return false;
         if (!epode::find_islands(world_, h_, manifolds, arena, found)) return false;
         if (world_.reached.empty()) break;

@@ -18,21 +18,21 @@ struct Kind {
 
 const std::vector<int> kStops = {dParamCFM, dParamStopERP, dParamStopCFM}, kOwn = {dParamERP, dParamCFM};
 const std::vector<int> kSuspension = {dParamSuspensionERP, dParamSuspensionCFM};
-const Kind kKinds[] = {{"ball", dJointCreateBall, dJointSetBallParam, dJointGetBallParam, kOwn},
-                       {"hinge", dJointCreateHinge, dJointSetHingeParam, dJointGetHingeParam, kStops},
-                       {"slider", dJointCreateSlider, dJointSetSliderParam, dJointGetSliderParam, kStops},
-                       {"universal", dJointCreateUniversal, dJointSetUniversalParam, dJointGetUniversalParam, kStops},
-                       {"hinge2", dJointCreateHinge2, dJointSetHinge2Param, dJointGetHinge2Param, kSuspension},
-                       {"fixed", dJointCreateFixed, dJointSetFixedParam, dJointGetFixedParam, kOwn},
-                       {"piston", dJointCreatePiston, dJointSetPistonParam, dJointGetPistonParam, kStops},
-                       {"PR", dJointCreatePR, dJointSetPRParam, dJointGetPRParam, kStops},
-                       {"PU", dJointCreatePU, dJointSetPUParam, dJointGetPUParam, kStops},
-                       {"AMotor", dJointCreateAMotor, dJointSetAMotorParam, dJointGetAMotorParam, kStops},
-                       {"LMotor", dJointCreateLMotor, dJointSetLMotorParam, dJointGetLMotorParam, kStops},
-                       {"DBall", dJointCreateDBall, dJointSetDBallParam, dJointGetDBallParam, kOwn},
-                       {"DHinge", dJointCreateDHinge, dJointSetDHingeParam, dJointGetDHingeParam, kOwn},
-                       {"transmission", dJointCreateTransmission, dJointSetTransmissionParam,
-                        dJointGetTransmissionParam, kOwn}};
+const Kind kKinds[] = {
+    {"ball", dJointCreateBall, dJointSetBallParam, dJointGetBallParam, kOwn},
+    {"hinge", dJointCreateHinge, dJointSetHingeParam, dJointGetHingeParam, kStops},
+    {"slider", dJointCreateSlider, dJointSetSliderParam, dJointGetSliderParam, kStops},
+    {"universal", dJointCreateUniversal, dJointSetUniversalParam, dJointGetUniversalParam, kStops},
+    {"hinge2", dJointCreateHinge2, dJointSetHinge2Param, dJointGetHinge2Param, kSuspension},
+    {"fixed", dJointCreateFixed, dJointSetFixedParam, dJointGetFixedParam, kOwn},
+    {"piston", dJointCreatePiston, dJointSetPistonParam, dJointGetPistonParam, kStops},
+    {"PR", dJointCreatePR, dJointSetPRParam, dJointGetPRParam, kStops},
+    {"PU", dJointCreatePU, dJointSetPUParam, dJointGetPUParam, kStops},
+    {"AMotor", dJointCreateAMotor, dJointSetAMotorParam, dJointGetAMotorParam, kStops},
+    {"LMotor", dJointCreateLMotor, dJointSetLMotorParam, dJointGetLMotorParam, kStops},
+    {"DBall", dJointCreateDBall, dJointSetDBallParam, dJointGetDBallParam, kOwn},
+    {"DHinge", dJointCreateDHinge, dJointSetDHingeParam, dJointGetDHingeParam, kOwn},
+    {"transmission", dJointCreateTransmission, dJointSetTransmissionParam, dJointGetTransmissionParam, kOwn}};
 
 constexpr dReal kErp = dReal(0.3), kCfm = dReal(0.002), kOtherErp = dReal(0.6), kOtherCfm = dReal(0.05);
 
@@ -52,8 +52,10 @@ class Softness : public testing::TestWithParam<Kind> {
     void expect_own(dJointID its, const char* where) const
     {
         for (int parameter : GetParam().parameters) {
-            const bool erp = parameter == dParamERP || parameter == dParamStopERP || parameter == dParamSuspensionERP;
-            EXPECT_EQ(GetParam().get(its, parameter), erp ? kErp : kCfm) << where << ", parameter " << parameter;
+            const bool erp =
+                parameter == dParamERP || parameter == dParamStopERP || parameter == dParamSuspensionERP;
+            EXPECT_EQ(GetParam().get(its, parameter), erp ? kErp : kCfm)
+                << where << ", parameter " << parameter;
         }
     }
 

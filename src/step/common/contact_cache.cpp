@@ -84,7 +84,8 @@ ContactCache::Places ContactCache::places_of(const Pair& pair, std::uint8_t atte
             quad_of(pair.count, [&](int k) { return Real(at[k].place.z); }), free};
 }
 
-ContactCache::ManifoldArms ContactCache::arms_of(const Body& body1, std::span<const JointManifoldPoint> points)
+ContactCache::ManifoldArms ContactCache::arms_of(const Body& body1,
+                                                 std::span<const JointManifoldPoint> points)
 {
     const int count = int(points.size());
     const Quad x = quad_of(count, [&](int i) { return points[std::size_t(i)].r1.x; }),

@@ -73,14 +73,15 @@ void set_part_aside(IslandRun& run, int part, Real correction)
 Real correctable(const IslandRun& run, const IslandWork& work, Real h)
 {
     if (run.world.acts_as_ode() || run.context.correction == 0) return 1;
-    return judge_energy(work, 0, h, run.tasks, run.arena).correctable;
+    return judge_energy(run.world, work, 0, h, run.tasks, run.arena).correctable;
 }
 
 bool contain_if_unsound(IslandRun& run, int part, bool may_diverge)
 {
     if (!run.is_sound(part)) return contain_part(run, part), true;
     if (run.world.acts_as_ode() || run.is_free(part)) return false;
-    const SolutionEnergy energy = judge_energy(run.work, part, run.context.h, run.tasks, run.arena);
+    const SolutionEnergy energy =
+        judge_energy(run.world, run.work, part, run.context.h, run.tasks, run.arena);
     if (may_diverge && energy.diverged) return contain_part(run, part), true;
     if (energy.correctable == 1 || run.context.correction == 0) return false;
     return set_part_aside(run, part, energy.correctable), true;

@@ -112,6 +112,7 @@ void add(const RowSystem& system, const RowBlock& block, Supply& sum)
         if (block.term_count == 0) c -= driven_velocity(system, block.body1, block.body2, row);
         sum.by_targets += double(n.p) * c;
         if (n.p != 0 && corrects(row, n)) sum.add_correction(row, double(n.p), double(n.c - row.speed));
+        if (row.soft || row.drive) continue;  // springs, which substeps divide
         const double u = double(row_velocity(system, block, row, system.bodies));
         sum.add_beyond(double(n.p), u + double(n.C * n.p) - double(n.c));
     }
@@ -190,7 +191,8 @@ double asked_by_corrections(const Whole& whole, const Supply& sum)
 
 }  // namespace
 
-SolutionEnergy judge_energy(const IslandWork& work, int part, Real h, const Tasks& tasks, Arena& arena)
+SolutionEnergy judge_energy(const World& world, const IslandWork& work, int part, Real h, const Tasks& tasks,
+                            Arena& arena)
 {
     const SystemPart from = work.system.begin_of(part), to = work.system.end_of(part);
     if (is_slow(work, from.bodies, to.bodies)) return {};
@@ -200,7 +202,9 @@ SolutionEnergy judge_energy(const IslandWork& work, int part, Real h, const Task
     if (!(gain > bound)) return {};
     const Supply sum = supply_to(work.system, from, to);
     SolutionEnergy energy;
-    energy.diverged = gain - std::max(0.0, sum.by_targets) - sum.by_springs > bound || sum.beyond > gain;
+    energy.diverged = gain - std::max(0.0, sum.by_targets) - sum.by_springs > bound;
+    if (!(world.contact_max_vel < kInf)) return energy;
+    energy.diverged = energy.diverged || sum.beyond > gain;
     const double asked = asked_by_corrections(whole_of(work, from.bodies, to.bodies), sum);
     const double others = std::max(0.0, sum.by_targets - sum.by_corrections) + sum.by_springs;
     const double allowed = bound + asked + others;

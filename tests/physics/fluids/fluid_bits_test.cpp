@@ -152,27 +152,27 @@ TEST(fluid_bits, state_of_a_world_with_another_number_of_fluids_is_refused)
 // Of many worlds stepped together, too: those with functions take turns on the caller's thread.
 TEST(fluid_bits, call_functions_on_the_callers_thread)
 {
-    struct Heard {
+    struct Told {
         std::thread::id caller = std::this_thread::get_id();
         int calls = 0, elsewhere = 0;
     };
     const auto listen = [](void* data, const dVector3, dReal) -> dReal {
-        auto& heard = *static_cast<Heard*>(data);
-        ++heard.calls;
-        if (std::this_thread::get_id() != heard.caller) ++heard.elsewhere;
+        auto& told = *static_cast<Told*>(data);
+        ++told.calls;
+        if (std::this_thread::get_id() != told.caller) ++told.elsewhere;
         return 0;
     };
-    std::vector<Heard> heard(16);
+    std::vector<Told> told(16);
     std::vector<std::unique_ptr<Pool>> pools;
     std::vector<dWorldID> worlds;
-    for (Heard& one : heard) {
+    for (Told& one : told) {
         pools.push_back(std::make_unique<Pool>());
         for (int i = 0; i < 20; ++i) pools.back()->ball(0.1, 500, 0);
         dFluidSetSurface(pools.back()->fluid, listen, &one);
         worlds.push_back(pools.back()->world);
     }
     ASSERT_EQ(dWorldsStep(worlds.data(), 16, real(0.01), dStepperExact, 20, 10, 4, nullptr), 16);
-    for (const Heard& one : heard) {
+    for (const Told& one : told) {
         EXPECT_GT(one.calls, 0);
         EXPECT_EQ(one.elsewhere, 0);
     }

@@ -263,6 +263,7 @@ TEST(JointCoordinates, what_stands_weighs_what_it_weighs)
 {
     Sim sim;
     dWorldUseDefaults(sim.world, dDefaultsRobot);
+    dWorldSetJointCoordinates(sim.world, 1);
     dWorldSetGravity(sim.world, 0, 0, real(-kGravity));
     dWorldSetStepReportMode(sim.world, 1);
     dWorldSetContactSpace(sim.world, sim.space);
@@ -326,9 +327,11 @@ TEST(JointCoordinates, mode_is_off_at_first_and_refuses_others)
 {
     Sim sim;
     EXPECT_EQ(dWorldGetJointCoordinates(sim.world), 0);
-    dWorldUseDefaults(sim.world, dDefaultsRobot);
+    dWorldSetJointCoordinates(sim.world, 1);
     EXPECT_EQ(dWorldGetJointCoordinates(sim.world), 1);
-    dWorldSetJointCoordinates(sim.world, 0);
+    dWorldSetJointCoordinates(sim.world, 2);
+    EXPECT_EQ(dWorldGetJointCoordinates(sim.world), 1);
+    dWorldUseDefaults(sim.world, dDefaultsRobot);
     EXPECT_EQ(dWorldGetJointCoordinates(sim.world), 0);
 }
 

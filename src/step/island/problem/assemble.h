@@ -21,7 +21,7 @@ struct IslandWork {
     std::span<Joint*> joints;       // of the first blocks of the system: those that gave rows; then manifolds
     std::span<Joint*> contacts;     // parallel to system.joint_contacts.points
     bool contact_feedback = false;  // has any of them?
-    Real correction = 1;            // share of the errors of positions that is corrected (island/divergence.h)
+    Real correction = 1;  // share of the errors of positions that is corrected (island/divergence.h)
     RowSystem system;
 };
 
