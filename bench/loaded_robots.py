@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
-"""A step of robots as users load them: Gymnasium's files in a world with the robot preset, beside MuJoCo's Euler step of the same files, on
+"""A step of robots as users load them: Gymnasium's files in a world with the robot preset, next to MuJoCo's Euler step of the same files, on
 the same random controls held for five steps, in turns on one thread: loaded_robots.py [STEPS], in an environment with epode, gymnasium
 and mujoco. The fastest of some rounds counts, since the machine may be busy; times are of the process. Next to the time: the deepest
 contact, and of Epode the worst joint error and residual of any step."""

@@ -70,10 +70,17 @@ void set_part_aside(IslandRun& run, int part, Real correction)
     run.set_aside[std::size_t(part)] = {true, correction};
 }
 
+bool bounds_corrections(const IslandRun& run)
+{
+    const World& world = run.world;
+    if (world.acts_as_ode() || !(world.contact_max_vel < kInf)) return false;
+    return run.may_try_again || world.projection_iterations > 0;
+}
+
 Real correctable(const IslandRun& run, const IslandWork& work, Real h)
 {
-    if (run.world.acts_as_ode() || run.context.correction == 0) return 1;
-    return judge_energy(run.world, work, 0, h, run.tasks, run.arena).correctable;
+    if (!bounds_corrections(run) || run.context.correction == 0) return 1;
+    return judge_energy(work, 0, h, true, run.tasks, run.arena).correctable;
 }
 
 bool contain_if_unsound(IslandRun& run, int part, bool may_diverge)
@@ -81,7 +88,7 @@ bool contain_if_unsound(IslandRun& run, int part, bool may_diverge)
     if (!run.is_sound(part)) return contain_part(run, part), true;
     if (run.world.acts_as_ode() || run.is_free(part)) return false;
     const SolutionEnergy energy =
-        judge_energy(run.world, run.work, part, run.context.h, run.tasks, run.arena);
+        judge_energy(run.work, part, run.context.h, bounds_corrections(run), run.tasks, run.arena);
     if (may_diverge && energy.diverged) return contain_part(run, part), true;
     if (energy.correctable == 1 || run.context.correction == 0) return false;
     return set_part_aside(run, part, energy.correctable), true;

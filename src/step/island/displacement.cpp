@@ -2,6 +2,9 @@
 // Copyright (c) 2026 The Epode authors
 #include "step/island/displacement.h"
 
+#include <algorithm>
+
+#include "step/island/containment.h"
 #include "step/island/divergence.h"
 #include "step/island/positions/solved_motion.h"
 
@@ -35,8 +38,22 @@ Displacement displacement_of(const IslandRun& run, int part)
     return sum;
 }
 
+// Stiff springs of the program move bodies within a step to where their velocity is small again.
+bool has_springs(const IslandRun& run, int part)
+{
+    const RowSystem& system = run.work.system;
+    for (int k = system.begin_of(part).blocks; k < system.end_of(part).blocks; ++k) {
+        const RowBlock& block = system.blocks[std::size_t(k)];
+        const auto own = system.rows.subspan(std::size_t(block.first), std::size_t(block.count));
+        if (std::any_of(own.begin(), own.end(), [](const Row& row) { return row.drive || row.soft; }))
+            return true;
+    }
+    return false;
+}
+
 bool is_displaced(const IslandRun& run, int part)
 {
+    if (has_springs(run, part)) return false;
     const Displacement sum = displacement_of(run, part);
     return sum.is_far(0) && sum.is_far(asked_by_errors(run.work, part, run.context.h));
 }
@@ -45,7 +62,7 @@ bool is_displaced(const IslandRun& run, int part)
 
 void set_displaced_aside(IslandRun& run, bool iterates)
 {
-    if (run.world.acts_as_ode() || run.context.correction < 1) return;
+    if (!bounds_corrections(run) || run.context.correction < 1) return;
     if (iterates && !run.may_try_again) return;
     for (int part = 0; part < run.work.system.worlds(); ++part)
         if (!run.is_free(part) && !run.set_aside[std::size_t(part)].is && is_displaced(run, part))

@@ -191,8 +191,8 @@ double asked_by_corrections(const Whole& whole, const Supply& sum)
 
 }  // namespace
 
-SolutionEnergy judge_energy(const World& world, const IslandWork& work, int part, Real h, const Tasks& tasks,
-                            Arena& arena)
+SolutionEnergy judge_energy(const IslandWork& work, int part, Real h, bool bounds_corrections,
+                            const Tasks& tasks, Arena& arena)
 {
     const SystemPart from = work.system.begin_of(part), to = work.system.end_of(part);
     if (is_slow(work, from.bodies, to.bodies)) return {};
@@ -203,7 +203,7 @@ SolutionEnergy judge_energy(const World& world, const IslandWork& work, int part
     const Supply sum = supply_to(work.system, from, to);
     SolutionEnergy energy;
     energy.diverged = gain - std::max(0.0, sum.by_targets) - sum.by_springs > bound;
-    if (!(world.contact_max_vel < kInf)) return energy;
+    if (!bounds_corrections) return energy;
     energy.diverged = energy.diverged || sum.beyond > gain;
     const double asked = asked_by_corrections(whole_of(work, from.bodies, to.bodies), sum);
     const double others = std::max(0.0, sum.by_targets - sum.by_corrections) + sum.by_springs;

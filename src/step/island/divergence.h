@@ -25,8 +25,7 @@
 // is twice that of all joints in all bodies at once. If G exceeds T* + m (3 m/s)^2 + A and what motors, springs and rebounds put
 // in, a share of the corrections is solved again: velocities are linear in c while contacts hold, so half the root of the ratio. Two
 // bodies that a joint draws together from afar never meet this. What rows work past their targets, and what corrections throw, is
-// judged only in worlds that bound the speed of corrections, as the presets do (dWorldSetContactMaxCorrectingVel): without a bound ERP
-// moves bodies as fast as it asks, as in ODE.
+// judged where bounds_corrections (containment.h) says so.
 #pragma once
 
 #include "step/island/problem/assemble.h"
@@ -39,8 +38,8 @@ struct SolutionEnergy {
 };
 
 // After the solution and before the bodies get its velocities.
-SolutionEnergy judge_energy(const World& world, const IslandWork& work, int part, Real h, const Tasks& tasks,
-                            Arena& arena);
+SolutionEnergy judge_energy(const IslandWork& work, int part, Real h, bool bounds_corrections,
+                            const Tasks& tasks, Arena& arena);
 
 // Twice the energy of all bodies of a part at the velocities that would remove all errors of positions in a step of h.
 double asked_by_errors(const IslandWork& work, int part, Real h);

@@ -152,27 +152,27 @@ TEST(fluid_bits, state_of_a_world_with_another_number_of_fluids_is_refused)
 // Of many worlds stepped together, too: those with functions take turns on the caller's thread.
 TEST(fluid_bits, call_functions_on_the_callers_thread)
 {
-    struct Told {
+    struct Seen {
         std::thread::id caller = std::this_thread::get_id();
         int calls = 0, elsewhere = 0;
     };
     const auto listen = [](void* data, const dVector3, dReal) -> dReal {
-        auto& told = *static_cast<Told*>(data);
-        ++told.calls;
-        if (std::this_thread::get_id() != told.caller) ++told.elsewhere;
+        auto& seen = *static_cast<Seen*>(data);
+        ++seen.calls;
+        if (std::this_thread::get_id() != seen.caller) ++seen.elsewhere;
         return 0;
     };
-    std::vector<Told> told(16);
+    std::vector<Seen> seen(16);
     std::vector<std::unique_ptr<Pool>> pools;
     std::vector<dWorldID> worlds;
-    for (Told& one : told) {
+    for (Seen& one : seen) {
         pools.push_back(std::make_unique<Pool>());
         for (int i = 0; i < 20; ++i) pools.back()->ball(0.1, 500, 0);
         dFluidSetSurface(pools.back()->fluid, listen, &one);
         worlds.push_back(pools.back()->world);
     }
     ASSERT_EQ(dWorldsStep(worlds.data(), 16, real(0.01), dStepperExact, 20, 10, 4, nullptr), 16);
-    for (const Told& one : told) {
+    for (const Seen& one : seen) {
         EXPECT_GT(one.calls, 0);
         EXPECT_EQ(one.elsewhere, 0);
     }

@@ -19,6 +19,7 @@ std::vector<double> read(dWorldID w)
             double(dWorldGetHybridBudget(w)),
             double(dWorldGetExactSubsteps(w)),
             double(dWorldGetExactRotation(w)),
+            double(dWorldGetJointCoordinates(w)),
             double(dWorldGetStepProjection(w)),
             double(dWorldGetStepProjectionTolerance(w)),
             double(dWorldGetStepWarmStarting(w)),
