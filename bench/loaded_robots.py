@@ -20,13 +20,12 @@ ROBOTS, HELD, ROUNDS = ["ant", "half_cheetah", "humanoid", "hopper", "walker2d",
 
 
 class Epode:
-    def __init__(self, path, h, joint_coordinates=None):
+    def __init__(self, path, h, joint_coordinates):
         self.model, self.h, self.coordinates = epode.load(path), h, joint_coordinates
 
     def reset(self):
         self.world = epode.World(defaults="robot")
-        if self.coordinates is not None:
-            self.world.joint_coordinates = self.coordinates
+        self.world.joint_coordinates = self.coordinates
         self.robot = self.model.build(self.world)
 
     def advance(self, controls):
@@ -79,12 +78,12 @@ def round_of(engine, controls):
 
 
 def main(steps):
-    print("| robot | h | MuJoCo Euler, us | in joint coordinates, us | share | with bodies, us | deepest: MuJoCo, Epode | quality |")
+    print("| robot | h, s | MuJoCo Euler, us | Epode, us | share | in joint coordinates, us | deepest: MuJoCo, Epode | Epode's quality |")
     print("|---|---|---|---|---|---|---|---|")
     for name in ROBOTS:
         path = str(FILES / f"{name}.xml")
         h = mujoco.MjModel.from_xml_path(path).opt.timestep
-        engines = [MuJoCo(path, h), Epode(path, h), Epode(path, h, False)]
+        engines = [MuJoCo(path, h), Epode(path, h, False), Epode(path, h, True)]
         controls = np.random.default_rng(1).uniform(-1, 1, (steps // HELD, engines[0].model.nu))
         seen = [[round_of(engine, controls) for engine in engines] for _ in range(ROUNDS)]
         best = [min(rounds[i][0] for rounds in seen) * 1e6 for i in range(3)]

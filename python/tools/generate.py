@@ -139,6 +139,8 @@ def quoted(text):
 
 
 def field_code(struct, ctype, field, structs):
+    if "[" in field:
+        raise KeyError(f"{ctype} {field}")  # arrays of numbers have no form yet
     get, args = f"[](const {struct}& s)", f'"{field}"'
     if ctype in FIXED:
         n = FIXED[ctype]
