@@ -550,12 +550,15 @@ class dFluid {
     void operator=(const dFluid&);
 
   public:
+    /** dFluidCreate. */
     explicit dFluid(dWorldID world) : _id(dFluidCreate(world)) {}
     ~dFluid()
     {
         if (_id) dFluidDestroy(_id);
     }
+    /** The fluid, for the C functions. */
     dFluidID id() const { return _id; }
+    /** The same. */
     operator dFluidID() const { return _id; }
 
     /** dFluidGetWorld. */
