@@ -33,6 +33,7 @@ class Fluid(Object):
     __slots__ = ()
 
     def __init__(self, world: World, live: c.dFluidID | None = None) -> None:
+        """world: where it is. live: a fluid of that world that the library has; without one, a new one: water below z = 0."""
         self.world = world
         self._live: c.dFluidID | None = live if live is not None else c.dFluidCreate(world._handle)
 

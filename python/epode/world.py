@@ -626,7 +626,8 @@ class World(Object):
         world._live, world._space, world._group = handle, space, c.dJointGroupCreate(0)
         world._bodies, world._joints, world._geoms, world._body_list, world._past, world._recording = {}, {}, {}, None, None, None
         world._edition, world.bodies, world.stepper, world._robots = 0, Bodies(world), "exact", []
-        world._fluids = [Fluid._around(world, c.dWorldGetFluid(handle, i)) for i in range(c.dWorldGetNumFluids(handle))]
+        found = [c.dWorldGetFluid(handle, i) for i in range(c.dWorldGetNumFluids(handle))]
+        world._fluids = [Fluid._around(world, live) for live in found if live is not None]
         return world
 
     def _adopt(self, like: World | Description, bodies: list[c.dBodyID], joints: list[c.dJointID], geoms: list[c.dGeomID]) -> None:
