@@ -64,6 +64,8 @@ void set_displaced_aside(IslandRun& run, bool iterates)
 {
     if (!bounds_corrections(run) || run.context.correction < 1) return;
     if (iterates && !run.may_try_again) return;
+    if (run.solved.method == dIslandMethodJointCoordinates)
+        return;  // joints that poses close move by their coordinates
     for (int part = 0; part < run.work.system.worlds(); ++part)
         if (!run.is_free(part) && !run.set_aside[std::size_t(part)].is && is_displaced(run, part))
             run.set_aside[std::size_t(part)] = {true, iterates ? Real(1) : Real(0.5)};
