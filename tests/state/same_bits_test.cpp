@@ -33,14 +33,14 @@ constexpr Golden kGolden[2][8] = {{{0x1f7fba8718db835e, 0x23d270493dbf1cde},
                                    {0x42cfe3509fde1949, 0x55eb9608f89022d8},
                                    {0xb614de0cbce498f5, 0x29314059a89bec85},
                                    {0xcb85957d4a7de7eb, 0xf61845e3403272f8}},
-                                  {{0x95695dc78ac37a41, 0x229236e5200b7a64},
-                                   {0x7e9afe47596ab850, 0x0739e0271be7a313},
-                                   {0x86f0d27ce90e8550, 0xd734b6472423e6a1},
-                                   {0xdb76723abbc61944, 0xfe3993a79cdefcbd},
-                                   {0xf161aaf91697ff90, 0x0e00cedb474fa629},
-                                   {0x70a4927ae0d9c765, 0x268f3e177edf7207},
-                                   {0x5b69534ec6df6e04, 0x970dbfa848fc022a},
-                                   {0x08c1f342029ff18b, 0x145a6a871c529ce9}}};
+                                  {{0x64c2d39453277569, 0x492c57956792288e},
+                                   {0x6cee88ba47eb9c17, 0xb84127e7c64b3b49},
+                                   {0x862ecdb546eaeaf5, 0x037507546c72a2dc},
+                                   {0xa0b53d02da29f1f7, 0xa51ba8b0690c20ad},
+                                   {0x1da17587b31853d6, 0xaf1bcefa47a6e115},
+                                   {0xc270a2fdcb9ffd40, 0xb400a41fa912358d},
+                                   {0xd4f78c3d7320ec8d, 0x892884d0b0de6fca},
+                                   {0x42d973ddddf55eda, 0x683b985664964037}}};
 
 class SameBits : public testing::TestWithParam<int> {};
 
