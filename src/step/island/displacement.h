@@ -8,7 +8,7 @@
 //   sum m u^2/2  >  sum m (v0^2 + v1^2) + m (3 m/s)^2 + m sum (e_i/h)^2
 //
 // says so: e_i are the errors of positions and depths, which a step may remove as a whole; those of angles count with the radius of
-// the part, as I sum (e_i/h)^2.
+// the part, as I sum (e_i/h)^2. Parts with springs, and those stepped in joint coordinates, are not judged.
 #pragma once
 
 #include "step/island/island_run.h"

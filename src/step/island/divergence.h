@@ -14,7 +14,7 @@
 // which relaxing may leave a part. A part has diverged if
 //
 //   G - max(0, p c') - sum c^2/C  >  T* + m (3 m/s)^2     with c^2/C of springs, twice what they hold, or
-//   sum max(0, p_i (J_i v + C p_i - c_i))  >  G           what rows have worked past their targets; 0 of a solution.
+//   sum max(0, p_i (J_i v + C p_i - c_i))  >  G           what rigid rows have worked past their targets; 0 of a solution.
 //                                                         Without it, diverged p vouch for themselves where c' > 0
 //
 // A solution that has not diverged may throw bodies too: near a dead centre a correction of 1 cm asks levers for a thousand
