@@ -251,18 +251,72 @@ std::vector<double> PointForces::along_velocities() const
     return out;
 }
 
-// A column is what a unit acceleration takes, at rest and without gravity.
+namespace {
+
+// What moves as one: mass, first moment and moment of inertia about the world's origin.
+struct Composite {
+    double mass = 0;
+    Vec first;
+    Matrix about_origin{};
+
+    void add(const Composite& other)
+    {
+        mass += other.mass, first = first + other.first;
+        for (size_t i = 0; i < 3; ++i)
+            for (size_t j = 0; j < 3; ++j) about_origin[i][j] += other.about_origin[i][j];
+    }
+    // The wrench (torque at the origin, force) that gives it the acceleration a, at rest.
+    Twist wrench(const Twist& a) const
+    {
+        return {apply(about_origin, a.w) + cross(first, a.v), mass * a.v + cross(a.w, first)};
+    }
+};
+
+Composite composite_of(const Link& link, const Pose& pose)
+{
+    const Vec c = pose * link.centre;
+    Composite out{link.mass, link.mass * c, rotated(link.inertia, pose.q)};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            out.about_origin[size_t(i)][size_t(j)] += link.mass * ((i == j ? dot(c, c) : 0) - c[i] * c[j]);
+    return out;
+}
+
+// Of each link with all that it carries.
+std::vector<Composite> composites(const RobotModel& model, const std::vector<Pose>& poses)
+{
+    std::vector<Composite> out(model.links.size());
+    for (size_t i = out.size(); i-- > 1;) {
+        out[i].add(composite_of(model.links[i], poses[i]));
+        out[size_t(model.links[i].parent)].add(out[i]);
+    }
+    return out;
+}
+
+}  // namespace
+
+// M_ij = S_i . (I S_j), where I is all that the joint of j carries, and i acts on j's link: on the way to the root or itself.
+// (Featherstone, chapter 6: the composite-rigid-body algorithm.)
 std::vector<double> mass_matrix(const RobotModel& model, const std::vector<double>& positions)
 {
-    const size_t n = size_t(number_of_velocities(model));
-    std::vector<double> out(n * n), unit(n, 0);
-    const std::vector<double> rest(n, 0);
-    for (size_t j = 0; j < n; ++j) {
-        unit[j] = 1;
-        const std::vector<double> column = inverse_dynamics(model, positions, rest, unit, {});
-        for (size_t i = 0; i < n; ++i) out[i * n + j] = column[i];
-        unit[j] = 0;
-    }
+    const Directions all = directions(model, positions);
+    const std::vector<Composite> carried = composites(model, all.poses);
+    const size_t n = all.twists.size();
+    std::vector<double> out(n * n, 0);
+    const auto fill = [&](size_t j, const Twist& wrench, int joint) {
+        for (int k = 0; k < velocities_of(model.joints[size_t(joint)]); ++k) {
+            const size_t i = size_t(all.first[size_t(joint)] + k);
+            out[i * n + j] = out[j * n + i] = dot(all.twists[i].w, wrench.w) + dot(all.twists[i].v, wrench.v);
+        }
+    };
+    for (const Joint& joint : model.joints)
+        for (int k = 0; k < velocities_of(joint); ++k) {
+            const size_t j = size_t(all.first[size_t(&joint - model.joints.data())] + k);
+            const Twist wrench = carried[size_t(joint.link)].wrench(all.twists[j]);
+            for (int link = joint.link; link > 0; link = model.links[size_t(link)].parent)
+                for (int other : model.links[size_t(link)].joints) fill(j, wrench, other);
+            out[j * n + j] += joint.armature;
+        }
     return out;
 }
 

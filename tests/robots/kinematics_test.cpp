@@ -34,6 +34,28 @@ TEST(RobotKinematics, MassMatrixOfATwoLinkArmIsTheTextbooks)
     EXPECT_NEAR(m[3], inner + 0.5, 1e-12);
 }
 
+// A column is what a unit acceleration takes, at rest and without gravity: two ways to the same numbers.
+TEST(RobotKinematics, columns_of_the_mass_matrix_are_forces_of_unit_accelerations)
+{
+    for (const char* file : {"/walker.xml", "/arm.urdf"}) {
+        const RobotModel model = load_robot(kModels + file);
+        std::vector<double> q = reference_positions(model);
+        for (const Joint& joint : model.joints)
+            if (joint.is_scalar()) q[size_t(joint.position)] += 0.3 + 0.1 * joint.position;
+        const size_t n = size_t(number_of_velocities(model));
+        const std::vector<double> m = mass_matrix(model, q), rest(n, 0);
+        ASSERT_EQ(m.size(), n * n);
+        for (size_t j = 0; j < n; ++j) {
+            std::vector<double> unit(n, 0);
+            unit[j] = 1;
+            const std::vector<double> column = inverse_dynamics(model, q, rest, unit, {});
+            for (size_t i = 0; i < n; ++i)
+                EXPECT_NEAR(m[i * n + j], column[i], 1e-13 * (1 + std::abs(m[i * n + i]) + m[j * n + j]))
+                    << file;
+        }
+    }
+}
+
 TEST(RobotKinematics, JacobianIsTheDerivativeOfThePoint)
 {
     const RobotModel model = load_robot(kModels + "/walker.xml");
