@@ -223,9 +223,10 @@ bool offer_robot(const std::string& what, bool posed, std::string& problem)
     for (const std::string& text : robots::Robot::not_built(model)) warn("{}: {}", what, text);
     if (posed) make_passive(model);
     static const std::string name = what;
+    const double stepsize = model.stepsize > 0 ? model.stepsize : 0.002;
     static const scenes::Recipe recipe = {name.c_str(),
                                           "a robot from a file",
-                                          0.002,
+                                          stepsize,
                                           5,
                                           scenes::Stepper::kExact,
                                           posed ? &build_posed : &build_offered};

@@ -298,6 +298,21 @@ int dRobotModelGetConstraints(dRobotModelID model, const dReal* positions, dReal
     });
 }
 
+int dRobotModelGetGravity(dRobotModelID model, dReal* gravity)
+{
+    model = alive(model);
+    CHECK(model && gravity, "a model and three reals");
+    for (int i = 0; i < 3; ++i) gravity[i] = dReal(model->model.gravity[i]);
+    return 1;
+}
+
+dReal dRobotModelGetStepsize(dRobotModelID model)
+{
+    model = alive(model);
+    CHECK(model, "a model");
+    return dReal(model->model.stepsize);
+}
+
 int dRobotModelGetMassMatrix(dRobotModelID model, const dReal* positions, dReal* matrix, int capacity)
 {
     model = alive(model);

@@ -274,7 +274,7 @@ dJointID Robot::make_turn(dWorldID world, int number, dBodyID child, dBodyID par
 void Robot::set_limits(int number, dJointID its) const
 {
     const Joint& joint = model().joints[size_t(number)];
-    if (!joint.limited && joint.kind == JointKind::kHinge) dJointSetAxisContinuous(its, 0, 1);
+    if (joint.kind == JointKind::kHinge) dJointSetAxisContinuous(its, 0, 1);
     if (!joint.limited) return;
     const double low = joint.low - joint.reference, high = joint.high - joint.reference;
     if (joint.kind == JointKind::kSlide) {

@@ -275,6 +275,7 @@ struct RobotModel {
     std::vector<HeightField> fields;
     std::vector<ReportLine> report;
     Vec gravity{0, 0, -9.81};
+    double stepsize = 0;  // s, that the file asks for; 0: it does not say
     Medium medium;
     bool touches_itself = true;     // but what can never part; false: not what overlaps at the reference
     bool largest_friction = false;  // of a pair, as MuJoCo has it; else the geometric mean

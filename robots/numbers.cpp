@@ -141,6 +141,7 @@ void judge_numbers(RobotModel& model)
     judge(model, model.meshes, "mesh", &Mesh::path);
     judge(model, model.fields, "height field", &HeightField::path);
     const Medium& medium = model.medium;
+    if (!fits(model.stepsize)) refuse(model, 0, "the time of a step");
     if (!fits(model.gravity) || !fits(medium.density) || !fits(medium.viscosity) || !fits(medium.wind))
         refuse(model, 0, "gravity or the medium");
 }

@@ -192,6 +192,14 @@ ODE_API int dRobotModelGetJacobian(dRobotModelID model, const dReal* positions, 
 ODE_API int dRobotModelGetConstraints(dRobotModelID model, const dReal* positions, dReal* residuals,
                                       dReal* jacobian, int capacity);
 
+/** Writes the gravity of the file, m/s^2, three reals; steps take that of the world that the robot is built in. Returns 1.
+    Refused: a NULL gravity. [ours] */
+ODE_API int dRobotModelGetGravity(dRobotModelID model, dReal* gravity);
+
+/** Returns the time of a step that the file asks for (MJCF's timestep, SDF's max_step_size), s; 0 where it does not say. Who
+    steps the world decides. [ours] */
+ODE_API dReal dRobotModelGetStepsize(dRobotModelID model);
+
 /** Writes the mass matrix to matrix, row by row, rotor inertias on its diagonal. At most capacity reals are
     written. Returns how many there are: the square of the number of velocities. [ours] */
 ODE_API int dRobotModelGetMassMatrix(dRobotModelID model, const dReal* positions, dReal* matrix,

@@ -86,6 +86,15 @@ def reads_and_sets(get: Callable[[Any], T], put: Callable[[Any, S], Any], doc: s
     return Value(lambda self: get(self._handle), lambda self, value: put(self._handle, value), doc=doc)
 
 
+def share(get: Callable[[Any], float], put: Callable[[Any, float], Any], doc: str) -> Value[float, float]:
+    """A property that is a share of something, from 0 to 1."""
+    def assign(self: Any, value: float) -> None:
+        if value < 0 or value > 1:  # C refuses what is no number
+            raise ValueError(f"{sys._getframe().f_code.co_name}: a share, from 0 to 1, is expected, not {value!r}")
+        put(self._handle, value)
+    return Value(lambda self: get(self._handle), assign, doc=doc)
+
+
 def vector(get: Callable[[Any], FloatArray], put: Callable[[Any, float, float, float], Any], doc: str) -> Value[FloatArray, ArrayLike]:
     """A property of three numbers, which C takes one by one."""
     def assign(self: Any, value: Any) -> None:

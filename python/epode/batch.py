@@ -76,19 +76,21 @@ class Batch:
     sensordata of the sensors that the file names, whose places ``sensors`` has."""
 
     def __init__(self, model: Model, copies: int, *, dtype: Literal["float32", "float64"] = "float32", threads: int = 0,
-                 stepsize: float = 0.002, erp: float = 0.2, max_correction: float = 2.0, reach: float = 0.005, tolerance: float = 0.0,
+                 stepsize: float | None = None, erp: float = 0.2, max_correction: float = 2.0, reach: float = 0.005, tolerance: float = 0.0,
                  max_sweeps: int = 200, pinned: bool = False) -> None:
         """So many copies of a model, at its reference, at rest.
 
-        dtype: "float32" or "float64". threads: 0 for as many as the machine has. stepsize: s. erp, max_correction: the share of an
-        overlap that a step takes back, and how fast, m/s. reach: surfaces nearer than this, m, are looked at. tolerance: sweeps end
-        when the last one changed no speed by more, m/s; 0: 1e-5 in floats, 1e-6 in doubles. max_sweeps: of a step. pinned: each
-        thread but the caller's stays on a processor of its own, where the system can."""
+        dtype: "float32" or "float64". threads: 0 for as many as the machine has. stepsize: s; None: the file's, or 0.002 where it
+        does not say. erp, max_correction: the share of an overlap that a step takes back, and how fast, m/s. reach: surfaces nearer
+        than this, m, are looked at. tolerance: sweeps end when the last one changed no speed by more, m/s; 0: 1e-5 in floats, 1e-6 in
+        doubles. max_sweeps: of a step. pinned: each thread but the caller's stays on a processor of its own, where the system can."""
         if not isinstance(model, Model):
             raise TypeError(f"a Model, as epode.load returns it, is expected, not {model!r}")
         self.dtype = np.dtype(dtype)
         if self.dtype not in (np.dtype("float32"), np.dtype("float64")):
             raise ValueError(f"float32 or float64 is expected, not {self.dtype}")
+        if stepsize is None:
+            stepsize = model.stepsize or 0.002
         options = {"stepsize": stepsize, "erp": erp, "max_correction": max_correction, "reach": reach, "tolerance": tolerance,
                    "max_sweeps": max_sweeps, "pinned": pinned}
         self.model = model

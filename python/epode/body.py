@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import c
-from ._handle import FloatArray, Object, Value, flag, reads, reads_and_sets, switch, three, vector
+from ._handle import FloatArray, Object, Value, flag, reads, reads_and_sets, share, switch, three, vector
 from .errors import BusyError, RefusedError
 
 if TYPE_CHECKING:
@@ -49,8 +49,8 @@ class Body(Object):
     rotation = reads_and_sets(c.dBodyGetRotation, c.dBodySetRotation, "3 x 3: body coordinates to the world's.")
     gravity = flag(c.dBodyGetGravityMode, c.dBodySetGravityMode, "Whether gravity acts on the body.")
     gyroscopic = flag(c.dBodyGetGyroscopicMode, c.dBodySetGyroscopicMode, "Whether the gyroscopic torque acts.")
-    linear_damping = reads_and_sets(c.dBodyGetLinearDamping, c.dBodySetLinearDamping, "Share of velocity lost in a step.")
-    angular_damping = reads_and_sets(c.dBodyGetAngularDamping, c.dBodySetAngularDamping, "Share of rotation lost in a step.")
+    linear_damping = share(c.dBodyGetLinearDamping, c.dBodySetLinearDamping, "Share of velocity lost in a step.")
+    angular_damping = share(c.dBodyGetAngularDamping, c.dBodySetAngularDamping, "Share of rotation lost in a step.")
     auto_disable = flag(c.dBodyGetAutoDisableFlag, c.dBodySetAutoDisableFlag, "Whether the body may fall asleep.")
     joint_count = reads(c.dBodyGetNumJoints, "How many joints are attached.")
 

@@ -181,6 +181,12 @@ class Model:
         return self._model.gravity
 
     @property
+    def stepsize(self) -> float | None:
+        """The time of a step that the file asks for, s (MJCF's timestep, SDF's max_step_size); None where it does not say. Worlds are
+        stepped by what ``World.step`` is given: ``world.step(model.stepsize or 0.002)``."""
+        return self._model.stepsize or None
+
+    @property
     def position_count(self) -> int:
         """How many coordinates the joints have."""
         return self._model.position_count
@@ -314,7 +320,7 @@ class Model:
 
     def build(self, world: World | None = None, *, position: ArrayLike = (0, 0, 0), quaternion: ArrayLike = (1, 0, 0, 0),
               start: str | ArrayLike | None = None) -> Robot:
-        """A robot in a world; without one in a new world with the file's gravity. position and quaternion place the model's
+        """A robot in a world; without one in a new world with the file's gravity and the defaults "robot". position and quaternion place the model's
         world in it. start: positions, or the name of a start pose of the file; without it, the first, or the reference."""
         pose = np.concatenate([_vector(position, 3, "position"), _quaternion(quaternion)])
         if isinstance(start, str):
@@ -323,7 +329,7 @@ class Model:
         elif start is not None:
             start = _vector(start, self.position_count, "start")
         if world is None:
-            world = World(gravity=self.gravity)
+            world = World(gravity=self.gravity, defaults="robot")
         robot = Robot(self, world, pose)
         if start is None:
             start = next(iter(self.starts), None)

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _c, c
-from ._handle import FloatArray, Object, Value, flag, reads_and_sets, three
+from ._handle import FloatArray, Object, Value, flag, reads_and_sets, share, three
 from ._robot_states import joined, numbers_of, set_numbers, split
 from ._structure import Description, Past, Structure
 from .body import Bodies, Body
@@ -185,7 +185,7 @@ class World(Object):
         c.dWorldUseDefaults(self._handle, _DEFAULTS[preset])
         self.stepper = "exact" if preset == "ode" else "hybrid"
 
-    erp = reads_and_sets(c.dWorldGetERP, c.dWorldSetERP, "Share of a joint's error that is corrected in a step.")
+    erp = share(c.dWorldGetERP, c.dWorldSetERP, "Share of a joint's error that is corrected in a step.")
     cfm = reads_and_sets(c.dWorldGetCFM, c.dWorldSetCFM, "Softness of joints.")
     threads = reads_and_sets(c.dWorldGetStepThreads, c.dWorldSetStepThreads, "Largest number of threads of a step; 0: all.")
     quick_iterations = reads_and_sets(c.dWorldGetQuickStepNumIterations, c.dWorldSetQuickStepNumIterations, "Of quick steps.")

@@ -252,3 +252,32 @@ def test_a_notebook_shows_a_picture_and_tables():
 
 def test_they_go_by_their_short_names():
     assert epode.Robot is epode.robot.Robot and epode.Robots is epode.robot.Robots and epode.Model is epode.robot.Model
+
+
+def test_the_time_of_a_step_is_the_files():
+    text = "<mujoco>{}<worldbody><body><joint/><geom size='.1'/></body></worldbody></mujoco>"
+    said, silent = (epode.robot.from_text(text.format(option)) for option in ("<option timestep='0.01'/>", ""))
+    assert said.stepsize == 0.01 and silent.stepsize is None
+    assert epode.robot.from_text(said.text("mjcf")[0]).stepsize == 0.01
+    assert epode.Batch(said, 1).stepsize == 0.01 and epode.Batch(silent, 1).stepsize == 0.002
+    assert epode.Batch(said, 1, stepsize=0.005).stepsize == 0.005
+
+
+def test_a_world_that_build_makes_has_the_defaults_of_robots():
+    built = epode.robot.from_text(CRATE).build().world
+    wanted = epode.World(defaults="robot")
+    for name in ("stepper", "friction_cone", "exact_rotation", "erp", "cfm"):
+        assert getattr(built, name) == getattr(wanted, name), name
+
+
+def test_a_hinge_counts_its_turns_with_stops_and_without():
+    """A motor turns a free hinge by 20 rad/s for a second, through stops that are taken away half way."""
+    robot = epode.robot.from_text("""<mujoco><option gravity="0 0 0"/><worldbody><body><joint name="j" range="-100 100"/>
+        <inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/></body></worldbody><compiler angle="radian"/></mujoco>""").build()
+    joint = robot.joint("j")
+    joint.motor(20, 1e6)
+    robot.world.step(0.001, steps=500)
+    joint.stops = None
+    robot.world.step(0.001, steps=500)
+    assert robot.positions == pytest.approx([20], abs=0.03)
+    assert joint.position() == pytest.approx(robot.positions[0])

@@ -24,6 +24,7 @@ NAMES = {
     "dRobotModelGetNumActuators": "robot.Model.actuator_names", "dRobotModelGetNumStarts": "robot.Model.starts",
     "dRobotModelFindLink": "robot.Model.link_names", "dRobotModelFindJoint": "robot.Model.joint_names",
     "dRobotModelFindActuator": "robot.Model.actuator_names", "dRobotModelFindFrame": "robot.Model.frame_names",
+    "dRobotModelGetGravity": "robot.Model.gravity", "dRobotModelGetStepsize": "robot.Model.stepsize",
     "dRobotModelGetReference": "robot.Model.reference", "dRobotModelGetStart": "robot.Model.starts",
     "dRobotModelGetPoses": "robot.Model.fk", "dRobotModelGetJacobian": "robot.Model.jacobian",
     "dRobotModelGetConstraints": "robot.Model.constraints", "dRobotModelGetMassMatrix": "robot.Model.mass_matrix",

@@ -319,6 +319,18 @@ def test_refusals_name_the_call_and_change_nothing(world):
     assert len(world.bodies) == count
 
 
+@pytest.mark.parametrize("value", [-0.1, 1.1])
+def test_shares_are_between_0_and_1(world, value):
+    body = world.body(mass=1)
+    for owner, name in ((world, "erp"), (body, "linear_damping"), (body, "angular_damping")):
+        before = getattr(owner, name)
+        with pytest.raises(ValueError, match=f"{name}: a share"):
+            setattr(owner, name, value)
+        assert getattr(owner, name) == before
+        setattr(owner, name, 0.5)
+        assert getattr(owner, name) == pytest.approx(0.5)
+
+
 def test_a_world_in_a_step_is_busy_for_other_threads():
     with epode.World() as world:
         world.plane()

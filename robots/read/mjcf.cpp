@@ -134,6 +134,8 @@ void Mjcf::read_compiler(const Element& element)
 void Mjcf::read_option(const Element& element)
 {
     reading_.vec(element, "gravity", model_.gravity);
+    if (reading_.number(element, "timestep", model_.stepsize) && !(model_.stepsize > 0))
+        reading_.error(element, "timestep is not above 0");
     reading_.number(element, "density", model_.medium.density);
     reading_.number(element, "viscosity", model_.medium.viscosity);
     reading_.vec(element, "wind", model_.medium.wind);

@@ -298,6 +298,11 @@ void Urdf::read_joint(const Edge& edge, int link)
     const std::string& kind = edge.kind;
     if (kind == "fixed") return;
     if (kind == "floating") return add_joint(JointKind::kFree, edge.name, axis, link, element);
+    if (kind == "spherical") {
+        reading_.note(Note::kChanged, element,
+                      "joint '" + edge.name + "', spherical as PyBullet has it, as a ball");
+        return add_joint(JointKind::kBall, edge.name, axis, link, element);
+    }
     if (!(size > 1e-9 && size <= kMaxNumber))
         return reading_.error(element, "joint '" + edge.name + "' has an axis of no usable length");
     kind == "planar" ? add_planar(edge, (1 / size) * axis, link) : add_axis(edge, (1 / size) * axis, link);
@@ -317,9 +322,10 @@ void Urdf::add_axis(const Edge& edge, Vec axis, int link)
 {
     const bool turns = edge.kind == "revolute" || edge.kind == "continuous";
     if (!turns && edge.kind != "prismatic")
-        return reading_.error(edge.element,
-                              "joint '" + edge.name + "' has the type '" + edge.kind +
-                                  "'; there are revolute, continuous, prismatic, fixed, floating, planar");
+        return reading_.error(
+            edge.element,
+            "joint '" + edge.name + "' has the type '" + edge.kind +
+                "'; there are revolute, continuous, prismatic, fixed, floating, planar, spherical");
     add_joint(turns ? JointKind::kHinge : JointKind::kSlide, edge.name, axis, link, edge.element);
     Joint& joint = model_.joints.back();
     joint.limited = edge.kind != "continuous";

@@ -67,6 +67,7 @@ void MjcfWriter::name_all()
 void MjcfWriter::write_option(Node option)
 {
     set(option, "gravity", text_of(model_.gravity));
+    if (model_.stepsize > 0) set(option, "timestep", model_.stepsize);
     const Medium& medium = model_.medium;
     if (medium.density != 0) set(option, "density", medium.density);
     if (medium.viscosity != 0) set(option, "viscosity", medium.viscosity);

@@ -93,6 +93,31 @@ TEST(Urdf, ScalesMeshes)
     EXPECT_NEAR(std::fabs(model.meshes[0].vertices[0].y), 0.05, 1e-12);
 }
 
+TEST(Urdf, reads_a_spherical_joint_as_a_ball)
+{
+    const char* text = R"(<robot name="r"><link name="a"/><link name="b"><inertial><mass value="1"/>
+        <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+        <joint name="j" type="spherical"><parent link="a"/><child link="b"/></joint></robot>)";
+    const RobotModel model = load_robot_text("r.urdf", text);
+    ASSERT_FALSE(model.has_errors());
+    const int joint = model.joint_named("j");
+    ASSERT_GE(joint, 0);
+    EXPECT_EQ(model.joints[size_t(joint)].kind, JointKind::kBall);
+}
+
+TEST(Mjcf, reads_the_time_of_a_step)
+{
+    const auto with = [](const std::string& option) {
+        return load_robot_text(
+            "r.xml", "<mujoco>" + option +
+                         "<worldbody><body><freejoint/><geom size='.1'/></body></worldbody></mujoco>");
+    };
+    EXPECT_EQ(with("<option timestep='0.01'/>").stepsize, 0.01);
+    EXPECT_EQ(with("").stepsize, 0);
+    for (const char* bad : {"0", "-0.1", "nan", "1e60"})
+        EXPECT_TRUE(with(std::string("<option timestep='") + bad + "'/>").has_errors()) << bad;
+}
+
 TEST(Mjcf, ClassesHandDownAndElementsOverride)
 {
     const RobotModel model = load_robot(kModels + "/walker.xml");

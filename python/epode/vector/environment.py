@@ -3,7 +3,6 @@
 """The vector of environments, and the scalar one, as Gymnasium has them."""
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Literal
@@ -31,11 +30,6 @@ def _text_of(source: str) -> str:
         import gymnasium
         source = str(Path(gymnasium.__file__).parent / "envs" / "mujoco" / "assets" / source)
     return Path(source).read_text()
-
-
-def _time_step(text: str) -> float:
-    stated = re.search(r"<option\b[^>]*\btimestep\s*=\s*[\"']([^\"']+)", re.sub(r"<!--.*?-->", "", text, flags=re.S))
-    return float(stated.group(1)) if stated else 0.002
 
 
 class VectorEnvironment(VectorEnv[NDArray[Any], NDArray[Any], NDArray[Any]]):
@@ -199,6 +193,6 @@ def make(task: str, num_envs: int = 1, *, autoreset_mode: AutoresetMode | str = 
     model = robot.from_text(text, keep_fixed=True)
     made = described(model, **arguments).varied(randomise or {}, observation_noise)
     limit = limit if max_episode_steps is None else max_episode_steps
-    return VectorEnvironment(made, model, num_envs, stepsize=_time_step(text), time_limit=limit, autoreset=AutoresetMode(autoreset_mode),
+    return VectorEnvironment(made, model, num_envs, stepsize=model.stepsize or 0.002, time_limit=limit, autoreset=AutoresetMode(autoreset_mode),
                              copy=copy, with_infos=infos, first=first,
                              batch_options={"dtype": dtype, "threads": threads, **(batch_options or {})})

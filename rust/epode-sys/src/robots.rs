@@ -434,6 +434,12 @@ extern "C" {
     /// keep them have C s = 0: of a frame with the Jacobian J only J N counts, the columns of N being a basis of
     /// those s. At most capacity rows are written; either array may be NULL. Returns how many rows there are.
     pub fn dRobotModelGetConstraints(model: dRobotModelID, positions: *const dReal, residuals: *mut dReal, jacobian: *mut dReal, capacity: c_int) -> c_int;
+    /// Writes the gravity of the file, m/s^2, three reals; steps take that of the world that the robot is built in. Returns 1.
+    /// Refused: a NULL gravity.
+    pub fn dRobotModelGetGravity(model: dRobotModelID, gravity: *mut dReal) -> c_int;
+    /// Returns the time of a step that the file asks for (MJCF's timestep, SDF's max\_step\_size), s; 0 where it does not say. Who
+    /// steps the world decides.
+    pub fn dRobotModelGetStepsize(model: dRobotModelID) -> dReal;
     /// Writes the mass matrix to matrix, row by row, rotor inertias on its diagonal. At most capacity reals are
     /// written. Returns how many there are: the square of the number of velocities.
     pub fn dRobotModelGetMassMatrix(model: dRobotModelID, positions: *const dReal, matrix: *mut dReal, capacity: c_int) -> c_int;

@@ -61,6 +61,8 @@ constexpr RobotFunction kAll[] = {
     FUNCTION(dRobotModelGetNumVelocities, kModel),
     FUNCTION(dRobotModelGetJacobian, kModel, kPositions, kNumber, kPointOrNone, kOutput, kCapacity),
     FUNCTION(dRobotModelGetConstraints, kModel, kPositions, kOutputOrNone, kOutputOrNone, kCapacity),
+    FUNCTION(dRobotModelGetGravity, kModel, kFewOutput),
+    FUNCTION(dRobotModelGetStepsize, kModel),
     FUNCTION(dRobotModelGetMassMatrix, kModel, kPositions, kOutput, kCapacity),
     FUNCTION(dRobotModelGetInverseDynamics, kModel, kPositions, kVelocitiesOrNone, kVelocitiesOrNone, kOutput,
              kCapacity),

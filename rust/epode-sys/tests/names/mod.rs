@@ -1386,6 +1386,8 @@ macro_rules! robots_functions {
         dRobotModelGetNumVelocities
         dRobotModelGetJacobian
         dRobotModelGetConstraints
+        dRobotModelGetGravity
+        dRobotModelGetStepsize
         dRobotModelGetMassMatrix
         dRobotModelGetInverseDynamics
         dRobotModelGetFluidForces
