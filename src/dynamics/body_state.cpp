@@ -28,10 +28,11 @@ enum Bit : std::uint16_t {
     kFiniteAxis = 1 << 12,
     kHybrid = 1 << 13,
     kWatch = 1 << 14,
+    kCounts = 1 << 15,
 };
 
 // Most bodies have pose and velocities alone: numbers in one run.
-constexpr unsigned kSpecial = kMatrix | kForce | kSpin | kFiniteAxis | kHybrid | kWatch;
+constexpr unsigned kSpecial = kMatrix | kForce | kSpin | kFiniteAxis | kHybrid | kWatch | kCounts;
 constexpr int kPoseNumbers = 7, kMotionNumbers = 13;
 
 std::size_t plain_bytes(std::uint16_t bits)
@@ -83,14 +84,26 @@ bool is_new(const Stillness& window)
     return window.time == 0 && !window.still && all_zero(window.position) && all_zero(turn);
 }
 
-// Where the world watches no body, only the program can have changed the counters.
+// What most bodies have left of idle steps and time: states leave it out. Fixed, those of a new world, so that a state does not
+// depend on settings of the day, which are none of it; those before format 8 did.
+struct UsualCounts {
+    UsualCounts(const Body& body, const StateStream& stream)
+        : steps(stream.format() < 8 ? body.sleep.steps : 10), time(stream.format() < 8 ? body.sleep.time : 0)
+    {}
+    int steps;
+    Real time;
+};
+
 bool has_been_watched(const Body& body)
 {
-    return body.auto_disable || body.idle_steps_left != body.sleep.steps ||
-           body.idle_time_left != body.sleep.time ||
-           (body.world->watches_bodies &&
-            (body.sample_next > 0 || body.samples_ready || body.settling_time > 0 ||
-             !is_new(body.short_window) || !is_new(body.long_window)));
+    return body.auto_disable || (body.world->watches_bodies &&
+                                 (body.sample_next > 0 || body.samples_ready || body.settling_time > 0 ||
+                                  !is_new(body.short_window) || !is_new(body.long_window)));
+}
+
+bool has_counts(const Body& body, const UsualCounts& usual)
+{
+    return body.idle_steps_left != usual.steps || body.idle_time_left != usual.time;
 }
 
 void vector(Vec3& v, StateStream& stream) { stream.reals(&v.x, 3); }
@@ -143,7 +156,7 @@ void watch_state(Body& body, StateStream& stream)
                               (begins_here(body, brief) ? kShortHere : 0u) |
                               (begins_here(body, lasting) ? kLongHere : 0u);
     const std::uint32_t bits =
-        stream.unusual({StateStream::computed(body.idle_time_left, body.sleep.time, true),
+        stream.unusual({StateStream::computed(body.idle_time_left, UsualCounts(body, stream).time, true),
                         StateStream::computed(body.settling_time, 0), StateStream::computed(brief.time, 0),
                         StateStream::computed(lasting.time, 0)},
                        own);
@@ -158,11 +171,19 @@ void watch_state(Body& body, StateStream& stream)
     brief.still = bits & kShortStill, lasting.still = bits & kLongStill;
 }
 
-// Of a body that no step has watched.
-void forget_watch(Body& body)
+// Of a body that no step watches, but with settings of the program.
+void counts(Body& body, StateStream& stream)
 {
-    if (body.idle_steps_left != body.sleep.steps) body.idle_steps_left = body.sleep.steps;
-    if (body.idle_time_left != body.sleep.time) body.idle_time_left = body.sleep.time;
+    const auto steps = int(stream.word(std::uint32_t(body.idle_steps_left)));
+    stream.reals(&body.idle_time_left, 1, true);
+    if (stream.stores()) body.idle_steps_left = steps;
+}
+
+// Of a body that no step has watched.
+void forget_watch(Body& body, const UsualCounts& usual)
+{
+    if (body.idle_steps_left != usual.steps) body.idle_steps_left = usual.steps;
+    if (body.idle_time_left != usual.time) body.idle_time_left = usual.time;
     if (!body.world->watches_bodies) return;
     body.sample_next = 0, body.samples_ready = false;
     body.short_window = body.long_window = Stillness{};
@@ -235,7 +256,7 @@ void clear(Real* values)
     if (!all_zero(values)) values[0] = values[1] = values[2] = 0;
 }
 
-void take_bits(Body& body, std::uint16_t bits)
+void take_bits(Body& body, std::uint16_t bits, const StateStream& stream)
 {
     if (const bool driven = bits & kDriven; driven != body.driven)
         driven ? set_kinematic(body) : set_dynamic(body);
@@ -251,7 +272,7 @@ void take_bits(Body& body, std::uint16_t bits)
     if (!(bits & kSpin)) clear(&body.spin_excess.x);
     if (!(bits & kFiniteAxis)) clear(&body.finite_axis.x);
     if (!(bits & kHybrid) && body.hybrid.remembers()) body.hybrid = {.requested = body.hybrid.requested};
-    if (!(bits & kWatch)) forget_watch(body);
+    if (!(bits & kWatch)) forget_watch(body, UsualCounts(body, stream));
 }
 
 void hybrid(Body& body, StateStream& stream)
@@ -269,9 +290,10 @@ void hybrid(Body& body, StateStream& stream)
     h.apart = std::uint8_t(old ? 0 : (word >> 13 & 3) << 2 | (word >> 6 & 3));
 }
 
-std::uint16_t bits_of(const Body& body)
+std::uint16_t bits_of(const Body& body, const StateStream& stream)
 {
     const auto bit = [](bool on, Bit b) { return on ? unsigned(b) : 0u; };
+    const bool watched = has_been_watched(body);
     return std::uint16_t(
         bit(body.disabled, kDisabled) | bit(is_active(body), kActive) | bit(body.had_manifolds, kPatched) |
         bit(body.driven, kDriven) | bit(body.gravity, kGravity) | bit(body.gyroscopic, kGyroscopic) |
@@ -280,7 +302,7 @@ std::uint16_t bits_of(const Body& body)
         bit(!all_zero(body.lvel) || !all_zero(body.avel), kVelocity) |
         bit(!all_zero(body.facc) || !all_zero(body.tacc), kForce) | bit(!all_zero(body.spin_excess), kSpin) |
         bit(!all_zero(body.finite_axis), kFiniteAxis) | bit(body.hybrid.remembers(), kHybrid) |
-        bit(has_been_watched(body), kWatch));
+        bit(watched, kWatch) | bit(!watched && has_counts(body, UsualCounts(body, stream)), kCounts));
 }
 
 void save_plain(const Body& body, std::uint16_t bits, StateStream& stream)
@@ -348,6 +370,7 @@ bool special(Body& body, std::uint16_t bits, StateStream& stream)
     if (bits & kFiniteAxis) vector(body.finite_axis, stream);
     if (bits & kHybrid) hybrid(body, stream);
     if (bits & kWatch) watch_state(body, stream);
+    if (bits & kCounts) counts(body, stream);
     return moves;
 }
 
@@ -355,7 +378,7 @@ bool special(Body& body, std::uint16_t bits, StateStream& stream)
 
 std::uint16_t save_state(Body& body, StateStream& stream)
 {
-    const std::uint16_t bits = bits_of(body);
+    const std::uint16_t bits = bits_of(body, stream);
     if (bits & kSpecial)
         special(body, bits, stream);
     else
@@ -365,7 +388,7 @@ std::uint16_t save_state(Body& body, StateStream& stream)
 
 bool load_state(Body& body, std::uint16_t bits, StateStream& stream)
 {
-    if (stream.stores()) take_bits(body, bits);
+    if (stream.stores()) take_bits(body, bits, stream);
     if (bits & kSpecial) return special(body, bits, stream);
     if (stream.stores()) return take_plain(body, bits, stream);
     check_plain(bits, stream);

@@ -3,7 +3,8 @@
 //
 // What a step changes in a body, and the program's own switches, as part of a world's state: a word of bits
 // and the numbers that these announce. A body in motion takes pose and velocities, 13 numbers; one that
-// sleeps its pose alone; what watches whether it rests (auto-disable) up to 18 numbers more. The rotation matrix is
+// sleeps its pose alone; what watches whether it rests (auto-disable) up to 18 numbers more.
+// What is left of idle steps and time where no step watches takes 3 words, if it is not that of a new world. The rotation matrix is
 // left out where it is that of the quaternion, as steps leave it. Mass, rules of damping and sleep, callbacks
 // and user data are none of the state.
 #pragma once

@@ -12,6 +12,7 @@
 //            borders (contacts/state/contact_format.h); mean forces of joints, and the step sizes that impulses
 //            belong to (dynamics/joint_state.cpp, step/common/contact_cache_state.cpp, contact_format.h)
 //   6 -> 7   softness of joints that equals the world's, which may be another when the state is loaded (joints/parts.cpp)
+//   7 -> 8   what is left of idle steps and time where it equals the body's settings (dynamics/body_state.cpp)
 #pragma once
 
 #include <cstddef>
@@ -24,7 +25,7 @@ namespace epode {
 
 struct StateHeader {
     static constexpr std::uint32_t kMagic = 0x74736e65;  // "enst"
-    static constexpr std::uint16_t kVersion = 7, kOldest = 3;
+    static constexpr std::uint16_t kVersion = 8, kOldest = 3;
     enum Kind : std::uint8_t { kWhole = 1, kDelta = 2 };
 
     std::uint32_t magic = kMagic;
