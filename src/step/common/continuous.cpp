@@ -20,6 +20,7 @@ namespace {
 
 constexpr int kRounds = 4;
 constexpr Real kShare = Real(0.25);  // of the half thickness, that it may go deep
+constexpr Real kSwing = 2;           // times as far as the carrier's points, what it carries rigidly may move
 constexpr Real kHair = Real(0.02);   // of that, how deep it is when it stops
 
 // Every geom of a body, newest first, until f answers false. It stays while functions of its class run.
@@ -281,7 +282,7 @@ void Continuous::stop(int body, Real time, int carrier)
     State& group = states_[std::size_t(states_[std::size_t(body)].group)];
     if (time >= group.until) return;
     group.until = time;
-    group.carrier = carrier;
+    group.carrier = carrier, group.met = body;
 }
 
 // What is in the geom's outermost space and not active. False: out of memory.
@@ -342,23 +343,60 @@ bool Continuous::stopped(const Body& body) const
     return states_[std::size_t(states_[std::size_t(body.island_index)].group)].until < 1;
 }
 
+Vec3 Continuous::stopped_place(std::size_t i) const
+{
+    const Motion& m = states_[i].motion;
+    return m.centre + states_[std::size_t(states_[i].group)].until * m.shift;
+}
+
+Carriage Continuous::carriage_of(const State& group) const
+{
+    return {states_[std::size_t(group.carrier)].motion, group.until};
+}
+
+Real Continuous::longest_way_of_carrier(const State& group) const
+{
+    return (1 - group.until) * states_[std::size_t(group.carrier)].max_distance;
+}
+
+// Before bodies are placed: the boxes of their geoms are those of the step's end.
+void Continuous::find_swung()
+{
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+        State& group = states_[std::size_t(states_[i].group)];
+        const Body& body = *undo_.bodies()[i];
+        if (!stopped(body) || group.carrier < 0 || group.swung) continue;
+        const Carriage carriage = carriage_of(group);
+        Real arm = 0;
+        each_geom(body,
+                  [&](Geom& g) { return arm = std::max(arm, arm_of(box_of(g), body.position())), true; });
+        group.swung = carriage.max_way(stopped_place(i), arm) > kSwing * longest_way_of_carrier(group);
+    }
+}
+
+// As the point of the carrier moves where the group met it.
+Vec3 Continuous::way_without_turn(const State& group) const
+{
+    const Vec3 place = stopped_place(std::size_t(group.met));
+    const Vec3 way = carriage_of(group).end_of(place) - place;
+    const Real longest = longest_way_of_carrier(group), size = length(way);
+    return size > longest ? longest / size * way : way;
+}
+
 void Continuous::place_bodies()
 {
+    find_swung();
     for (std::size_t i = 0; i < states_.size(); ++i) {
         Body& body = *undo_.bodies()[i];
         if (!stopped(body)) continue;
         const State& group = states_[std::size_t(states_[i].group)];
-        const Motion& m = states_[i].motion;
-        Vec3 place = m.centre + group.until * m.shift;
-        Quat q = turn_by(group.until * m.turn) * undo_.orientation_before(i);
-        if (group.carrier >= 0) {
-            // Rigidly with the carrier, from where it is now to where it ends.
-            const Motion& c = states_[std::size_t(group.carrier)].motion;
-            const Real rest = 1 - group.until;
-            const Quat turn = turn_by(rest * c.turn);
-            const Vec3 now = c.centre + group.until * c.shift;
-            place = now + rest * c.shift + to_matrix(turn) * (place - now);
-            q = turn * q;
+        Vec3 place = stopped_place(i);
+        Quat q = turn_by(group.until * states_[i].motion.turn) * undo_.orientation_before(i);
+        if (group.carrier >= 0 && group.swung) {
+            place += way_without_turn(group);
+        } else if (group.carrier >= 0) {
+            const Carriage carriage = carriage_of(group);
+            place = carriage.end_of(place), q = carriage.turn * q;
         }
         if (!normalize(q)) continue;
         store(body.pos, place);

@@ -7,7 +7,8 @@
 // the next collision finds the contact.
 //   groups      bodies that joints other than contacts connect stop together, or the joints would open
 //   carried     a body that meets a moving one that does not stop, slow or kinematic, is carried on by it for
-//               the rest of the step, or it would be run over
+//               the rest of the step, or it would be run over: rigidly (step/common/carriage.h), but without turning where
+//               that would swing it, or what joints tie to it, much farther than the carrier's own points move
 //   each other  of two swept bodies both stop. A body that meets one that has stopped for another reason is
 //               swept again: up to kRounds times, in the order of the islands
 // All of this runs on the caller's thread, so that results do not depend on the number of threads, and none
@@ -19,6 +20,7 @@
 #include "collide/geom.h"
 #include "dynamics/island.h"
 #include "query/impact.h"
+#include "step/common/carriage.h"
 #include "step/common/cut_short.h"
 #include "step/common/undo.h"
 
@@ -55,6 +57,8 @@ class Continuous {
         int group;          // the body that stands for it; of that one:
         Real until;         //   when it stops
         int carrier;        //   what carries it on from there; -1: nothing
+        int met;            //   which of its bodies met that
+        bool swung;         //   the carrier's turn would take it too far
         bool flagged, active;
     };
     struct Item {
@@ -84,6 +88,11 @@ class Continuous {
     bool meet_each_other();
     void meet(const Item& a, Geom& other, int other_body);
     void stop(int body, Real time, int carrier);
+    Vec3 stopped_place(std::size_t i) const;
+    Carriage carriage_of(const State& group) const;
+    Real longest_way_of_carrier(const State& group) const;
+    void find_swung();
+    Vec3 way_without_turn(const State& group) const;
     void place_bodies();
 
     World& world_;

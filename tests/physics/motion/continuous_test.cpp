@@ -472,6 +472,33 @@ TEST(Continuous, bodies_on_joints_stop_together)
     EXPECT_NEAR(position(front).x - position(back).x, 0.5, tol(1e-9, 1e-5));
 }
 
+// A ball that spins in its place moves nothing that lies on it; what is carried rigidly with its turn is swung by the turn times its arm.
+TEST(Continuous, a_spinning_ball_does_not_swing_what_falls_on_it)
+{
+    for (const bool tied : {false, true}) {
+        Sim sim;
+        const dBodyID ball = sim.sphere({0, 0, 0}, 0.2, 100);
+        velocity(ball, {0, 0, 0}, {0, 100, 0});  // turns by 1 in the step; its surface moves by 0.2 m
+        const dBodyID rod = sim.box({0, 0, 0.35}, {tied ? 0.1 : 4, 0.1, 0.1}, 1);
+        velocity(rod, {0, 0, -20}, {});
+        look_out(rod);
+        const dBodyID far_end = tied ? sim.box({3, 0, 0.35}, {0.1, 0.1, 0.1}, 1) : rod;
+        if (tied) {
+            velocity(far_end, {0, 0, -20}, {});
+            const dJointID joint = dJointCreateFixed(sim.world, nullptr);
+            dJointAttach(joint, rod, far_end);
+            dJointSetFixed(joint);
+        }
+        sim.step(0.01);
+        const V3 p = position(far_end);
+        EXPECT_LT(std::hypot(p[0] - (tied ? 3 : 0), p[2] - 0.35), 0.45)
+            << tied;  // its own way is 0.2 m at most
+        const dReal* R = dBodyGetRotation(rod);
+        EXPECT_GT(R[0], std::cos(0.1)) << tied;
+        EXPECT_GT(position(rod)[2], 0.2) << tied;
+    }
+}
+
 TEST(Continuous, a_body_hung_up_does_not_take_itself_for_a_wall)
 {
     // Its two parts overlap, and so do the two bodies that the joint connects.
