@@ -6,6 +6,7 @@
 #include "characters/segment_triangle.h"
 #include "collide/collide.h"
 #include "collide/solid_type.h"
+#include "collide/transform.h"
 #include "query/candidates.h"
 
 namespace epode {
@@ -17,7 +18,7 @@ constexpr Real kProbe = Real(0.5);  // of the skin: how far beyond an edge its f
 
 bool is_met(const Geom& self, const Geom& other)
 {
-    return &other != &self && !other.sensor && !is_space(other) && other.type->number != dRayClass;
+    return &other != &self && !other.sensor && !is_space(other) && !is_ray(other);
 }
 
 Aabb in_frame_of(const Pose& pose, const Aabb& box)

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "collide/geom.h"
+#include "ode/collision.h"
 
 namespace epode {
 
@@ -19,6 +20,14 @@ struct TransformGeom : Geom {
 
 // Null if it is none.
 TransformGeom* as_transform(Geom& geom);
+
+// A ray, or a transform that holds one: it measures, but carries, stops and pushes nothing.
+inline bool is_ray(const Geom& geom)
+{
+    const Geom* at = &geom;
+    while (at && at->type->number == dGeomTransformClass) at = static_cast<const TransformGeom*>(at)->inner;
+    return at && at->type->number == dRayClass;
+}
 
 // Lets go the present geom, without destroying it, and takes another one or none.
 void set_transform_geom(TransformGeom& transform, Geom* inner);

@@ -8,6 +8,7 @@
 #include <atomic>
 
 #include "collide/solid_type.h"
+#include "collide/transform.h"
 #include "contacts/contact_pair.h"
 #include "contacts/pair_finder.h"
 #include "dynamics/world.h"
@@ -45,7 +46,7 @@ inline bool rounds_on_what_stands(const ContactPair& pair)
 }
 
 // Rays measure; they exert no force.
-inline bool can_push(const Geom& geom) { return geom.type->number != dRayClass; }
+inline bool can_push(const Geom& geom) { return !is_ray(geom); }
 
 inline bool is_surface(const Geom& geom)
 {

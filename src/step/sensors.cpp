@@ -6,6 +6,7 @@
 
 #include "base/objects/structure_edition.h"
 #include "collide/collide.h"
+#include "collide/transform.h"
 #include "query/candidates.h"
 #include "query/distance.h"
 #include "step/common/link.h"
@@ -23,7 +24,7 @@ bool is_of(const World& world, const Geom& geom)
 bool may_report(const World& world, Geom& sensor, Geom& other)
 {
     const bool moves = sensor.body.id || other.body.id || other.character;
-    return moves && !other.sensor && other.type->number != dRayClass && is_of(world, other) &&
+    return moves && !other.sensor && !is_ray(other) && is_of(world, other) &&
            can_pair(sensor, other);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "collide/collide.h"
+#include "collide/transform.h"
 #include "collide/types/registry.h"
 #include "math/rotation.h"
 #include "math/trig.h"
@@ -54,7 +55,7 @@ Vec3 evened(Vec3 pos, Vec3 centre, Vec3 axle, Vec3 normal)
 
 bool carries_wheels(const Geom& geom)
 {
-    return !geom.sensor && !is_space(geom) && geom.type->number != dRayClass;
+    return !geom.sensor && !is_space(geom) && !is_ray(geom);
 }
 
 }  // namespace
