@@ -4,6 +4,8 @@
 // Fluids, as C functions.
 #include "ode/fluid.h"
 
+#include <optional>
+
 #include "base/float_environment.h"
 #include "base/objects/struct_size.h"
 #include "collide/types/registry.h"
@@ -37,12 +39,31 @@ const char* fault_in(const dFluidSettings& s)
 Immersed submerged(const Fluid& fluid, Geom& geom)
 {
     FloatingGeom floating;
+    const GeomHold hold(geom, fluid.has_functions());
     if (!floating.take(geom)) return {};
     const Immersed local = floating.under(in_frame(level_at(fluid, floating), floating.pose()));
     if (!(local.volume > 0)) return {};
     const Vec3 centre = floating.pose().to_world(local.centre());
     return holds(fluid, centre) ? Immersed{local.volume, local.volume * centre} : Immersed{};
 }
+
+// Functions of the fluid may run outside of a step: its world, and that of what is asked for, stay. Nothing to do if they are busy already.
+class FluidCall {
+  public:
+    explicit FluidCall(const Fluid& fluid, World* other = nullptr)
+    {
+        if (!fluid.has_functions()) return;
+        mark(first_, *fluid.world);
+        if (other) mark(second_, *other);
+    }
+
+  private:
+    static void mark(std::optional<CopyMark>& to, World& world)
+    {
+        if (!is_busy(world)) to.emplace(world);
+    }
+    std::optional<CopyMark> first_, second_;
+};
 
 int write(const Immersed& part, dReal* volume, dReal* centre)
 {
@@ -195,6 +216,7 @@ int dFluidGetSubmerged(dFluidID f, dGeomID g, dReal* volume, dVector3 centre)
     const FloatEnvironment floats;
     FLUID_OR(0);
     EPODE_GEOM(geom, g, 0);
+    const FluidCall call(*fluid);
     return write(submerged(*fluid, *geom), volume, centre);
 }
 
@@ -204,6 +226,7 @@ int dFluidGetSubmergedBody(dFluidID f, dBodyID b, dReal* volume, dVector3 centre
     FLUID_OR(0);
     const Body* const body = from_handle<Body>(b);
     EPODE_USER(body, 0);
+    const FluidCall call(*fluid, body->world);
     Immersed sum;
     for_each_geom_from(body->first_geom, [&](Geom& geom) { sum.add(submerged(*fluid, geom)); });
     return write(sum, volume, centre);

@@ -35,7 +35,9 @@ bool still_busy(const World& world)
 
 const char* busy_text(const World& world)
 {
-    if (world.busy == Busy::kCopy) return "Invalid operation while the world is saved, copied or restored";
+    if (world.busy == Busy::kCopy)
+        return "Invalid operation while the world is saved, copied or restored, or its fluids are asked what "
+               "lies in them";
     if (world.busy == Busy::kEnd) return "Invalid operation while the world is destroyed";
     return "Invalid operation during a step";
 }

@@ -61,6 +61,7 @@ class BodyForces {
     void add(const Fluid& fluid, Geom& geom)
     {
         FloatingGeom floating;
+        const GeomHold hold(geom, fluid.has_functions());
         if (!floating.take(geom)) return;
         const WaterPlane level = level_at(fluid, floating);
         const Immersed part = floating.under(in_frame(level, floating.pose()));

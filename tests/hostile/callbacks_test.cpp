@@ -611,6 +611,128 @@ TEST_F(Callbacks, query_filter_keeps_the_members)
     expect_refused(0);
 }
 
+dReal surface(void*, const dVector3, dReal)
+{
+    act();
+    return 0;
+}
+void current(void*, const dVector3, dReal, dVector3 velocity)
+{
+    for (int i = 0; i < 3; ++i) velocity[i] = 0;
+    act();
+}
+
+TEST_F(Callbacks, fluid_functions_keep_world_fluids_and_geoms)
+{
+    const dFluidID fluid = dFluidCreate(world);
+    for (const bool by_current : {false, true}) {
+        dFluidSetSurface(fluid, by_current ? nullptr : surface, nullptr);
+        dFluidSetCurrentFunction(fluid, by_current ? current : nullptr, nullptr);
+        g_act = [this, fluid] {
+            EXPECT_EQ(dWorldStep(world, dReal(0.01)), 0);
+            dWorldDestroy(world);
+            dFluidDestroy(fluid);
+            dFluidSetPlane(fluid, 0, 0, 1, 2);
+            dFluidSetSurface(fluid, nullptr, nullptr);
+            dBodyDestroy(body);
+            dGeomDestroy(sphere[0]);
+            expect_refused(7);
+            EXPECT_EQ(dFluidCreate(world), nullptr);
+            expect_refused(1);
+            EXPECT_NE(dBodyCreate(world), nullptr);
+            expect_refused(0);
+        };
+        EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
+        EXPECT_FALSE(g_act) << "the function came";
+    }
+    expect_refused(0);
+}
+
+TEST_F(Callbacks, fluid_functions_keep_what_is_asked_for_outside_steps)
+{
+    const dFluidID fluid = dFluidCreate(world);
+    dFluidSetSurface(fluid, surface, nullptr);
+    dReal volume;
+    g_act = [this, fluid] {
+        dWorldDestroy(world);
+        dFluidDestroy(fluid);
+        dFluidSetSurface(fluid, nullptr, nullptr);
+        dGeomDestroy(sphere[0]);
+        expect_refused(4);
+    };
+    EXPECT_EQ(dFluidGetSubmerged(fluid, sphere[0], &volume, nullptr), 1);
+    EXPECT_FALSE(g_act) << "the function came";
+    g_act = [this, fluid] {
+        dFluidDestroy(fluid);
+        dBodyDestroy(body);
+        dGeomDestroy(sphere[0]);
+        expect_refused(3);
+    };
+    EXPECT_EQ(dFluidGetSubmergedBody(fluid, body, &volume, nullptr), 1);
+    EXPECT_FALSE(g_act) << "the function came";
+    EXPECT_NEAR(volume, 2 * M_PI / 3, 1e-6);
+    expect_refused(0);
+}
+
+void see(void*, dManifold*) { act(); }
+
+TEST_F(Callbacks, manifold_function_keeps_world_and_space)
+{
+    dWorldSetContactSpace(world, space);
+    dWorldSetManifoldFunction(world, see, nullptr, 0);
+    dGeomSetBody(sphere[1], dBodyCreate(world));
+    dBodySetPosition(dGeomGetBody(sphere[1]), 0, 0, dReal(1.9));
+    g_act = [this] {
+        EXPECT_EQ(dWorldStep(world, dReal(0.01)) + dWorldStepHybrid(world, dReal(0.01)), 0);
+        dWorldSetManifoldFunction(world, nullptr, nullptr, 0);
+        dWorldSetContactSpace(world, nullptr);
+        dWorldDestroy(world);
+        dBodyDestroy(body);
+        dGeomDestroy(sphere[1]);
+        dSpaceAdd(space, lone);
+        dBodySetPosition(body, 5, 5, 5);
+        expect_refused(9);
+        EXPECT_NE(dBodyCreate(world), nullptr);
+        expect_refused(0);
+    };
+    EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
+    EXPECT_FALSE(g_act) << "the function came";
+    EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
+    expect_refused(0);
+}
+
+int lets_pass(void*, dGeomID, dGeomID, const dVector3)
+{
+    act();
+    return 1;
+}
+
+TEST_F(Callbacks, character_filter_keeps_character_and_space)
+{
+    dCharacterSettings settings;
+    dCharacterSettingsInit(&settings, sizeof settings);
+    settings.filter = lets_pass;
+    const dGeomID character = dCharacterCreate(space, &settings);
+    dCharacterSetPosition(character, dReal(1.1), 0, 0);
+    const dVector3 velocity = {-1, 0, 0};
+    g_act = [this, character, &velocity] {
+        dGeomDestroy(character);
+        dGeomDestroy(sphere[1]);
+        dSpaceRemove(space, sphere[1]);
+        dSpaceAdd(space, lone);
+        dSpaceDestroy(space);
+        dBodySetPosition(body, 5, 5, 5);
+        EXPECT_EQ(dWorldStep(world, dReal(0.01)), 0);
+        EXPECT_EQ(dCharacterWalk(character, velocity, 0, dReal(0.01)), 0);
+        expect_refused(8);
+    };
+    dCharacterWalk(character, velocity, 0, dReal(0.01));
+    EXPECT_FALSE(g_act) << "the filter came";
+    expect_refused(0);
+    dGeomDestroy(character);
+    expect_refused(0);
+}
+
 int may_meet(dGeomID, dGeomID, dReal*)
 {
     act();
