@@ -128,6 +128,11 @@ class Player {
     void couple(Dice&);
     void extend_geom(Dice&);
     void ask_space(Dice&);
+    void strike_body(Dice&);
+    void wet_world(Dice&);
+    void drive_body(Dice&);
+    void walk_through(Dice&);
+    void shape_contacts(Dice&);
     void call_the_dead(Dice&);
     void call_nothing(Dice&);
     void check_everything(Dice&);

@@ -322,6 +322,114 @@ TOOL int ask(dSpaceID space, dGeomID geom, dGeomID other, int what, dReal x, dRe
     return 1;
 }
 
+/* ---- impulses, fluids, vehicles, characters, manifolds ---- */
+
+TOOL void strike(dBodyID body, int how, dReal x, dReal y, dReal z)
+{
+    dVector3 v, at;
+    v[0] = x, v[1] = y, v[2] = z, v[3] = 0;
+    memcpy(at, dBodyGetPosition(body), sizeof at);
+    at[0] += (dReal)0.1;
+    switch (how) {
+        case 0:
+            dBodyApplyImpulse(body, v, at);
+            break;
+        case 1:
+            dBodyApplyAngularImpulse(body, v);
+            break;
+        case 2:
+            dBodyApplyForce(body, v, at);
+            break;
+        case 3:
+            dBodyApplyTorque(body, v);
+            break;
+        default:
+            dBodySetVelocities(body, v, v, how % 2);
+            break;
+    }
+}
+
+TOOL void blast(dSpaceID space, dReal x, dReal y, dReal impulse, int falloff, int occlusion)
+{
+    dVector3 centre = {0, 0, 0, 0};
+    centre[0] = x, centre[1] = y;
+    dSpaceApplyRadialImpulse(space, centre, 2, impulse, falloff, occlusion, 0);
+}
+
+TOOL dReal waves(void* data, const dVector3 pos, dReal time)
+{
+    dReal x = pos[0] + pos[1] / 2 + time;
+    (void)data;
+    return (x - (int)x) / 10;
+}
+
+/* A fluid more, one that another is made of, or one less. */
+TOOL void pour(dWorldID w, int how, dReal height, dGeomID volume)
+{
+    dFluidSettings its;
+    dFluidID fluid = dWorldGetFluid(w, 0);
+    if (!fluid || (how == 0 && dWorldGetNumFluids(w) < 3)) fluid = dFluidCreate(w);
+    if (how == 1) dFluidDestroy(fluid);
+    if (how == 1) return;
+    dFluidSettingsInit(&its, sizeof its);
+    its.density = 500 + 500 * height, its.current[0] = height;
+    if (how == 2) dFluidSetSettings(fluid, &its);
+    if (how == 3) dFluidSetSurface(fluid, height > 0 ? waves : 0, 0);
+    if (how == 4) dFluidSetVolume(fluid, volume);
+    dFluidSetPlane(fluid, 0, height / 10, 1, height);
+}
+
+/* The body becomes a vehicle, gets wheels, is driven. */
+TOOL void drive_vehicle(dBodyID body, int how, dReal throttle, dReal steer, dReal h)
+{
+    dVehicleControls its = {sizeof its, 0, 0, 0, 0, 0};
+    dVehicleWheel wheel;
+    if (!dBodyIsVehicle(body)) dVehicleCreate(body, 0);
+    if (!dBodyIsVehicle(body)) return;
+    if (how == 0 && dVehicleGetNumWheels(body) < 6) {
+        dVehicleWheelInit(&wheel, sizeof wheel);
+        wheel.cast = 1 + dVehicleGetNumWheels(body) % 3;
+        dVehicleAddWheel(body, &wheel);
+    }
+    if (how == 1) dVehicleSetGear(body, (int)(3 * steer));
+    its.throttle = throttle < 0 ? 0 : throttle, its.brake = throttle < 0 ? -throttle : 0, its.steer = steer;
+    dVehicleSetControls(body, &its);
+    dVehicleUpdate(body, h);
+}
+
+/* A character walks through the space, and is gone. */
+TOOL int stroll(dSpaceID space, dReal x, dReal y, dReal h, int shape)
+{
+    static const int kinds[3] = {dCapsuleClass, dCylinderClass, dBoxClass};
+    dCharacterSettings its;
+    dVector3 velocity, feet;
+    dGeomID character;
+    int i, good;
+    dCharacterSettingsInit(&its, sizeof its);
+    its.shape = kinds[shape % 3];
+    character = dCharacterCreate(space, &its);
+    if (!character) return 0;
+    dCharacterSetPosition(character, 2 * x, 2 * y, 1);
+    velocity[0] = x, velocity[1] = y, velocity[2] = 0, velocity[3] = 0;
+    for (i = 0; i < 3; ++i) dCharacterWalk(character, velocity, i == 1 ? (dReal)3 : 0, h);
+    good = dCharacterGetPosition(character, feet) && feet[0] == feet[0] && feet[2] == feet[2] ? 1 : -1;
+    dGeomDestroy(character);
+    return good;
+}
+
+TOOL void look_at_manifold(void* data, dManifold* its)
+{
+    (void)data;
+    if (its->count == 1) its->friction = 0;
+    if (its->count == 3) its->accept = 0;
+    its->bounce = (dReal)0.5, its->surface_velocity[0] = (dReal)0.1;
+}
+
+TOOL void look_at_manifolds(dWorldID w, int on, int threads)
+{
+    dWorldSetManifoldFunction(w, on ? look_at_manifold : 0, 0, threads);
+}
+
 /* Several worlds at once. */
 TOOL dWorldID chosen[3];
 TOOL void choose(int i, dWorldID w) { chosen[i] = w; }
