@@ -133,6 +133,73 @@ void ask_for_threads(Scene& scene, bool)
     dThreadingFreeImplementation(own);
 }
 
+// ---- fluids, manifolds, characters ----
+
+dReal surface(void*, const dVector3, dReal)
+{
+    g_hooks.fluid.run();
+    return 0;
+}
+
+void float_geoms(Scene& scene, bool asked)
+{
+    const dFluidID fluid = dFluidCreate(scene.world);
+    dFluidSetSurface(fluid, surface, nullptr);
+    if (!asked) return step(scene);
+    dFluidGetSubmerged(fluid, scene.probe, nullptr, nullptr);
+}
+
+void flow(void*, const dVector3, dReal, dVector3 velocity)
+{
+    velocity[0] = velocity[1] = velocity[2] = 0;
+    g_hooks.fluid.run();
+}
+
+dBodyID put_ball(Scene& scene, dReal z)
+{
+    const dBodyID body = dBodyCreate(scene.world);
+    dGeomSetBody(dCreateSphere(scene.space, 1), body);
+    dBodySetPosition(body, 40, 40, z);
+    return body;
+}
+
+void drag_geoms(Scene& scene, bool)
+{
+    const dFluidID fluid = dFluidCreate(scene.world);
+    dFluidSetPlane(fluid, 0, 0, 1, 100);
+    dFluidSetCurrentFunction(fluid, flow, nullptr);
+    put_ball(scene, 0);
+    step(scene);
+}
+
+void see_manifold(void*, dManifold*) { g_hooks.manifold.run(); }
+
+void show_manifolds(Scene& scene, bool)
+{
+    dWorldSetContactSpace(scene.world, scene.space);
+    dWorldSetManifoldFunction(scene.world, see_manifold, nullptr, 0);
+    put_ball(scene, 0), put_ball(scene, REAL(1.9));
+    step(scene);
+}
+
+int let_pass(void*, dGeomID, dGeomID, const dVector3)
+{
+    g_hooks.character_filter.run();
+    return 1;
+}
+
+void move_character(Scene& scene, bool walks)
+{
+    dCharacterSettings settings;
+    dCharacterSettingsInit(&settings, sizeof settings);
+    settings.filter = let_pass;
+    const dGeomID character = dCharacterCreate(scene.space, &settings);
+    put_ball(scene, 0);
+    dCharacterSetPosition(character, REAL(41.5), 40, 0);
+    const dVector3 velocity = {-1, 0, 0, 0};
+    walks ? dCharacterWalk(character, velocity, 0, kStep) : dCharacterMove(character, velocity, kStep);
+}
+
 constexpr Phase kPhases[] = {
     {" inside a near callback", &Hooks::near, walk},
     {" inside a moved callback", &Hooks::moved, [](Scene& scene, bool) { step(scene); }},
@@ -151,6 +218,10 @@ constexpr Phase kPhases[] = {
     {" inside an overriding collider", &Hooks::override_collider, collide_overridden},
     {" inside a function for a step's memory", &Hooks::step_memory, ask_for_memory},
     {" inside a threading function", &Hooks::threading, ask_for_threads},
+    {" inside the surface of a fluid", &Hooks::fluid, float_geoms},
+    {" inside the current of a fluid", &Hooks::fluid, drag_geoms},
+    {" inside a function of manifolds", &Hooks::manifold, show_manifolds},
+    {" inside a character's filter", &Hooks::character_filter, move_character},
 };
 
 }  // namespace

@@ -62,7 +62,7 @@ struct Hook {
 };
 struct Hooks {
     Hook near, moved, box, box_test, collider, height, mesh, end, contact_filter, query_filter, message,
-        override_collider, step_memory, threading;
+        override_collider, step_memory, threading, fluid, manifold, character_filter;
 };
 extern Hooks g_hooks;
 
