@@ -24,8 +24,7 @@ bool is_of(const World& world, const Geom& geom)
 bool may_report(const World& world, Geom& sensor, Geom& other)
 {
     const bool moves = sensor.body.id || other.body.id || other.character;
-    return moves && !other.sensor && !is_ray(other) && is_of(world, other) &&
-           can_pair(sensor, other);
+    return moves && !other.sensor && !is_ray(other) && is_of(world, other) && can_pair(sensor, other);
 }
 
 }  // namespace

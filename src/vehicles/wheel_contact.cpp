@@ -53,10 +53,7 @@ Vec3 evened(Vec3 pos, Vec3 centre, Vec3 axle, Vec3 normal)
     return pos - (1 - rim) * dot(pos - centre, axle) * axle;
 }
 
-bool carries_wheels(const Geom& geom)
-{
-    return !geom.sensor && !is_space(geom) && !is_ray(geom);
-}
+bool carries_wheels(const Geom& geom) { return !geom.sensor && !is_space(geom) && !is_ray(geom); }
 
 }  // namespace
 

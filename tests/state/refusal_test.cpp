@@ -50,7 +50,7 @@ TEST(StateRefusals, name_the_first_difference)
     expect_refused(loose, state, "joint 3 (of");
     Bytes other = state;
     other[4] = 9;
-    expect_refused(scene, other, "a state of version 9; this library reads versions 3 to 7");
+    expect_refused(scene, other, "a state of version 9; this library reads versions 3 to 8");
     other = state, other[6] = sizeof(dReal) == 8 ? 4 : 8;
     expect_refused(scene, other, sizeof(dReal) == 8 ? "single precision" : "double precision");
     other = state, other[0] ^= 1;
