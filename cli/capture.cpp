@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The recorder's library is in ../lib next to this program, in the build tree and where it is installed
-// (../lib/TRIPLET too). Whatever was preloaded before stays. The program runs as a child, so that somebody is
+// The recorder's library is in ../lib next to this program in the build tree, in ../lib/epode where it is installed, or in
+// ../lib/TRIPLET/epode. Whatever was preloaded before stays. The program runs as a child, so that somebody is
 // left to say what was recorded, or that nothing was, and to make whole what a signal has cut off.
 #include "cli/capture.h"
 
@@ -38,10 +38,11 @@ std::string find_library()
 {
     std::error_code error;
     const fs::path lib = fs::read_symlink("/proc/self/exe", error).parent_path().parent_path() / "lib";
-    if (fs::exists(lib / kLibrary, error)) return (lib / kLibrary).string();
-    for (const fs::directory_entry& entry : fs::directory_iterator(lib, error)) {
-        if (fs::exists(entry.path() / kLibrary, error)) return (entry.path() / kLibrary).string();
-    }
+    std::vector<fs::path> folders{lib, lib / "epode"};
+    for (const fs::directory_entry& entry : fs::directory_iterator(lib, error))
+        folders.push_back(entry.path() / "epode");
+    for (const fs::path& folder : folders)
+        if (fs::exists(folder / kLibrary, error)) return (folder / kLibrary).string();
     return {};
 }
 

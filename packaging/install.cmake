@@ -6,7 +6,7 @@
 #                     (for Windows bin/libode.dll, lib/libode.dll.a and those of libode_single; for WebAssembly
 #                     libode.a, and share/epode/web: epode.wasm and what loads it)
 #   lib/pkgconfig/ode.pc, ode-single.pc
-#   lib/cmake/ode     bin/ode-config, bin/epode    share/epode/replay.html     share/doc/epode
+#   lib/cmake/ode     bin/ode-config, bin/epode    share/epode/replay.html     share/doc/epode     lib/epode: the recorder
 #   include/epode/robots.h   lib/libepode_robots.so, where pugixml is there
 #   include/drawstuff/*.h   lib/libdrawstuff.a   lib/pkgconfig/drawstuff.pc, where drawstuff is built (ODE::drawstuff in lib/cmake/ode)
 include(GNUInstallDirs)
@@ -80,8 +80,9 @@ if(TARGET epode)
   set_target_properties(epode PROPERTIES INSTALL_RPATH "$ORIGIN/${EPODE_LIB_FROM_BIN}")
   install(TARGETS epode RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   if(TARGET epode_preload)
-    set_target_properties(epode_observer PROPERTIES INSTALL_RPATH "$ORIGIN")
-    install(TARGETS epode_preload epode_observer LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    # No program is linked with them.
+    set_target_properties(epode_observer PROPERTIES INSTALL_RPATH "$ORIGIN/..")
+    install(TARGETS epode_preload epode_observer LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/epode)
   endif()
   # The replay page's template is there when record/page/build has made it; without it `epode --html` says so.
   install(FILES ${PROJECT_SOURCE_DIR}/build/page/replay.html DESTINATION share/epode OPTIONAL)

@@ -19,7 +19,7 @@ for file in /etc/resolv.conf /etc/apt/apt.conf.d/*proxy* /etc/ssl/certs/ca-certi
 done
 rm -rf "$root/try" && mkdir "$root/try"
 cp "$packages"/*.deb "$root/try"
-cp "$here/inside.sh" "$here/client.c" "$here/../clients/pyode/falling.py" "$here/../clients/dart/contacts.cpp" "$here/../clients/preamble.cpp" "$root/try"
+cp "$here/inside.sh" "$here/client.c" "$here/../clients/pyode/falling.py" "$here/../clients/dart/contacts.cpp" "$here/../clients/dart/judge.py" "$here/../../python/recipes/pendulum.py" "$here/../clients/preamble.cpp" "$root/try"
 # Mounts of its own end with it.
 exec unshare --mount --fork bash -euc '
   for folder in proc sys dev dev/pts dev/shm; do mount --rbind "/$folder" "$0/$folder"; done
