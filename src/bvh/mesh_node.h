@@ -118,10 +118,13 @@ inline Floats places(const std::uint8_t* q)
     // In two steps of one instruction each; a conversion in one step is done number by number.
     std::uint32_t four;
     __builtin_memcpy(&four, q, 4);
-    const Bytes bytes = Bytes(Ints{int(four), 0, 0, 0});
-    const Shorts shorts = Shorts(
-        __builtin_shufflevector(bytes, Bytes{}, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23));
-    const Ints ints = Ints(__builtin_shufflevector(shorts, Shorts{}, 0, 8, 1, 9, 2, 10, 3, 11));
+    constexpr bool kLittle = std::endian::native == std::endian::little;  // the zero is behind the number
+    const Bytes bytes = Bytes(Ints{int(four), 0, 0, 0}), low = kLittle ? bytes : Bytes{},
+                high = kLittle ? Bytes{} : bytes;
+    const Shorts shorts =
+        Shorts(__builtin_shufflevector(low, high, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23));
+    const Shorts first = kLittle ? shorts : Shorts{}, second = kLittle ? Shorts{} : shorts;
+    const Ints ints = Ints(__builtin_shufflevector(first, second, 0, 8, 1, 9, 2, 10, 3, 11));
     return __builtin_convertvector(ints, Floats);
 }
 inline Floats smaller(Floats a, Floats b) { return a < b ? a : b; }

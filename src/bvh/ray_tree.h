@@ -35,18 +35,20 @@ inline void far_first(WaitingNode* w)
     order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
 }
 
-// The children that are met, and empty entries for the others, also without branches. As pairs of numbers
-// with the low half first, a key is a child and a distance.
+// The children that are met, and empty entries for the others, also without branches. As a pair of numbers a key is
+// a child and a distance, the low half first where the processor is little-endian.
 inline void put_met(const MetNodes& met, const int* children, WaitingNode* w)
 {
     using namespace mesh_lanes;
-    static_assert(std::endian::native == std::endian::little && sizeof(WaitingNode) == 8);
+    static_assert(sizeof(WaitingNode) == 8);
     Ints child;
     __builtin_memcpy(&child, children, sizeof child);
     child &= met.yes;
     const Ints near = Ints(met.near) & met.yes;
-    const Ints low = __builtin_shufflevector(child, near, 0, 4, 1, 5),
-               high = __builtin_shufflevector(child, near, 2, 6, 3, 7);
+    constexpr bool kLittle = std::endian::native == std::endian::little;
+    const Ints first = kLittle ? child : near, second = kLittle ? near : child;
+    const Ints low = __builtin_shufflevector(first, second, 0, 4, 1, 5),
+               high = __builtin_shufflevector(first, second, 2, 6, 3, 7);
     __builtin_memcpy(static_cast<void*>(w), &low, sizeof low);
     __builtin_memcpy(static_cast<void*>(w + 2), &high, sizeof high);
 }

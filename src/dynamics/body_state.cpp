@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/streams/little_endian.h"
 #include "dynamics/active.h"
 #include "dynamics/sleep/sleeping_forces.h"
 
@@ -50,8 +51,7 @@ bool all_finite(const std::byte* from, int count)
 {
     Bits carry = 0;
     for (int i = 0; i < count; ++i) {
-        Bits bits;
-        std::memcpy(&bits, from + sizeof bits * std::size_t(i), sizeof bits);
+        const Bits bits = get_little<Bits>(from, std::size_t(i));
         carry |= (bits & kExponent) + kOne;
     }
     return !(carry & kSign);
@@ -310,19 +310,14 @@ void save_plain(const Body& body, std::uint16_t bits, StateStream& stream)
     std::byte* const to = stream.block(plain_bytes(bits));
     if (!to) return;
     // Each at once from where it is: what is put together elsewhere first has to arrive there.
-    std::memcpy(to, body.pos, 3 * sizeof(Real));
-    std::memcpy(to + 3 * sizeof(Real), body.q, 4 * sizeof(Real));
+    copy_little<sizeof(Real)>(to, body.pos, 3);
+    copy_little<sizeof(Real)>(to + 3 * sizeof(Real), body.q, 4);
     if (!(bits & kVelocity)) return;
-    std::memcpy(to + 7 * sizeof(Real), body.lvel, 3 * sizeof(Real));
-    std::memcpy(to + 10 * sizeof(Real), body.avel, 3 * sizeof(Real));
+    copy_little<sizeof(Real)>(to + 7 * sizeof(Real), body.lvel, 3);
+    copy_little<sizeof(Real)>(to + 10 * sizeof(Real), body.avel, 3);
 }
 
-Real number_at(const std::byte* from, int i)
-{
-    Real x;
-    std::memcpy(&x, from + sizeof x * std::size_t(i), sizeof x);
-    return x;
-}
+Real number_at(const std::byte* from, int i) { return get_little<Real>(from, std::size_t(i)); }
 
 Vec3 vector_at(const std::byte* from, int i)
 {

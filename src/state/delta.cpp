@@ -7,6 +7,7 @@
 #include <climits>
 
 #include "base/hash.h"
+#include "base/streams/little_endian.h"
 #include "state/state_header.h"
 
 namespace epode {
@@ -28,12 +29,7 @@ class Words {
   public:
     explicit Words(std::span<const std::byte> bytes) : bytes_(bytes) {}
     int count() const { return int(bytes_.size() / 4); }
-    std::uint32_t operator[](int i) const
-    {
-        std::uint32_t word;
-        std::memcpy(&word, bytes_.data() + 4 * std::size_t(i), 4);
-        return word;
-    }
+    std::uint32_t operator[](int i) const { return get_little<std::uint32_t>(bytes_.data(), std::size_t(i)); }
     bool has_window(int i) const { return i + kWindow <= count(); }
     std::size_t hash(int i) const
     {
@@ -143,13 +139,14 @@ class Writer {
     bool begin_run(int from, int same)
     {
         length_at_ = out_.size() + 2;
-        return out_.push(std::uint32_t(from)) && out_.push(std::uint32_t(same)) && out_.push(0);
+        return out_.push(little(std::uint32_t(from))) && out_.push(little(std::uint32_t(same))) &&
+               out_.push(0);
     }
     bool end_run(int first, int last)
     {
-        out_[length_at_] = std::uint32_t(last - first);
+        out_[length_at_] = little(std::uint32_t(last - first));
         for (int i = first; i < last; ++i)
-            if (!out_.push(state_[i])) return false;
+            if (!out_.push(little(state_[i]))) return false;
         return true;
     }
 
@@ -163,7 +160,7 @@ StateHeader header_of(std::span<const std::byte> state)
 {
     StateHeader header;
     std::memcpy(&header, state.data(), sizeof header);
-    return header;
+    return little(header);
 }
 
 // False: it is not a valid difference.
@@ -179,8 +176,8 @@ bool join(const Words& base, const Words& delta, Array<std::uint32_t>& out)
             return false;
         if (own > std::uint32_t(delta.count() - next) || same > size - at || own > size - at - same)
             return false;
-        for (std::uint32_t i = 0; i < same; ++i) out[int(at++)] = base[int(begin + i)];
-        for (std::uint32_t i = 0; i < own; ++i) out[int(at++)] = delta[next++];
+        for (std::uint32_t i = 0; i < same; ++i) out[int(at++)] = little(base[int(begin + i)]);
+        for (std::uint32_t i = 0; i < own; ++i) out[int(at++)] = little(delta[next++]);
         from = begin + same;
     }
     return next == delta.count() && at == size;
@@ -192,7 +189,7 @@ bool write_delta(std::span<const std::byte> base, std::span<const std::byte> sta
 {
     base = base.first(std::size_t(header_of(base).size));
     if (!out.resize(kFrameEnd) || !Writer(base, state, out).run()) return false;
-    const Frame frame{header_of(base).checksum, state.size() / 4};
+    const Frame frame{little(header_of(base).checksum), little(std::uint64_t(state.size() / 4))};
     std::memcpy(out.data() + sizeof(StateHeader) / 4, &frame, sizeof frame);
     seal(out.data(), 4 * std::size_t(out.size()), StateHeader::kDelta);
     return true;
@@ -212,6 +209,7 @@ const char* read_delta(std::span<const std::byte> base, std::span<const std::byt
     if (delta.size() < 4 * std::size_t(kFrameEnd)) return "the difference ends too early";
     Frame frame;
     std::memcpy(&frame, delta.data() + sizeof of_delta, sizeof frame);
+    frame = {little(frame.base_checksum), little(frame.words)};
     if (frame.base_checksum != of_base.checksum) return "the difference was made from another base";
     if (frame.words > (base.size() + delta.size()) / 4 || frame.words > INT_MAX / 4)
         return "the difference makes up more than it can have";

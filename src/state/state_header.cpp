@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/streams/checksum.h"
+#include "base/streams/little_endian.h"
 
 namespace epode {
 namespace {
@@ -28,10 +29,16 @@ const char* precision(int real_size) { return real_size == sizeof(double) ? "dou
 
 }  // namespace
 
+StateHeader little(StateHeader h)
+{
+    return {little(h.magic), little(h.version), h.real_size, h.kind, little(h.size), little(h.checksum)};
+}
+
 void seal(void* state, std::size_t size, StateHeader::Kind kind, Seal with)
 {
     StateHeader header = header_of(size, kind);
     if (with == Seal::kSealed) header.checksum = sum_of(state, size, header.version);
+    header = little(header);
     std::memcpy(state, &header, sizeof header);
 }
 
@@ -41,6 +48,7 @@ void copy_sealed(void* to, std::span<const std::byte> state)
     const std::span<const std::byte> content = state.subspan(sizeof header);
     header.checksum =
         copy_and_sum(static_cast<std::byte*>(to) + sizeof header, content.data(), content.size());
+    header = little(header);
     std::memcpy(to, &header, sizeof header);
 }
 
@@ -54,6 +62,7 @@ const char* read_header(const void* state, std::size_t size, StateHeader::Kind k
     if (size < sizeof header)
         return wrong("%zu bytes are no state: even its header has %zu", size, sizeof header);
     std::memcpy(&header, state, sizeof header);
+    header = little(header);
     if (header.magic != StateHeader::kMagic) return "these bytes are no state of a world";
     if (header.version < StateHeader::kOldest || header.version > StateHeader::kVersion)
         return wrong("a state of version %d; this library reads versions %d to %d", int(header.version),

@@ -37,6 +37,9 @@ struct StateHeader {
 };
 static_assert(sizeof(StateHeader) == 24);
 
+// The header whose bytes in memory are those of a state, and the other way round.
+StateHeader little(StateHeader header);
+
 // kUnsealed: without a checksum, for bytes that never leave the library.
 enum class Seal : std::uint8_t { kSealed, kUnsealed };
 

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/streams/checksum.h"
+#include "base/streams/little_endian.h"
 
 namespace epode {
 namespace {
@@ -17,6 +18,14 @@ std::uint64_t sum_of(std::span<const std::byte> file, int version)
                        : checksum(content.data(), content.size());
 }
 
+// The header whose bytes in memory are those of a file, and the other way round.
+WorldFileHeader little(const WorldFileHeader& h)
+{
+    using epode::little;
+    return {little(h.magic),          little(h.version),    little(h.real_size),
+            little(h.structure_size), little(h.state_size), little(h.checksum)};
+}
+
 }  // namespace
 
 void seal_file(std::span<std::byte> file, std::size_t structure_end)
@@ -25,6 +34,7 @@ void seal_file(std::span<std::byte> file, std::size_t structure_end)
     header.structure_size = structure_end - sizeof header;
     header.state_size = file.size() - structure_end;
     header.checksum = sum_of(file, header.version);
+    header = little(header);
     std::memcpy(file.data(), &header, sizeof header);
 }
 
@@ -38,6 +48,7 @@ const char* read_file_header(std::span<const std::byte> file, WorldFileHeader& h
     if (file.size() < sizeof header)
         return wrong("%zu bytes are no world: even its header has %zu", file.size(), sizeof header);
     std::memcpy(&header, file.data(), sizeof header);
+    header = little(header);
     if (header.magic != WorldFileHeader::kMagic) return "these bytes are no world";
     if (header.version < 1 || header.version > WorldFileHeader::kVersion)
         return wrong("a world of version %d; this library reads versions up to %d", int(header.version),

@@ -7,6 +7,7 @@
 
 #include "base/objects/structure_edition.h"
 #include "base/random.h"
+#include "base/streams/little_endian.h"
 #include "collide/character.h"
 #include "dynamics/active.h"
 #include "dynamics/body_state.h"
@@ -131,6 +132,12 @@ bool WorldState::has_characters() const
     return std::any_of(all.begin(), all.end(), [](const Geom* geom) { return geom->character != nullptr; });
 }
 
+WorldState::Counts WorldState::Counts::little() const
+{
+    using epode::little;
+    return {little(hash), little(bodies), little(joints), little(geoms), little(flags)};
+}
+
 bool WorldState::save(StateStream& stream)
 {
     const bool seeded = world_.acts_as_ode();
@@ -141,7 +148,8 @@ bool WorldState::save(StateStream& stream)
     const auto put = [&](const void* from, std::size_t size) {
         if (std::byte* to = stream.block(size); to && size > 0) std::memcpy(to, from, size);
     };
-    put(&counts, sizeof counts);
+    const Counts written = counts.little();
+    put(&written, sizeof written);
     put(structure_.marks().data(), structure_.marks().size());
     (void)stream.long_word(world_.step_count);
     if (seeded) (void)stream.word(ProcessRandom::state());
@@ -186,7 +194,10 @@ void WorldState::save_bits(StateStream& stream, std::size_t place)
         if (size > 0) std::memcpy(stream.written_at(place), from, size);
         place += padded(size);
     };
-    put(body_bits_.data(), sizeof(std::uint16_t) * std::size_t(structure_.bodies()));
+    const std::size_t bodies = sizeof(std::uint16_t) * std::size_t(structure_.bodies());
+    copy_little<sizeof(std::uint16_t)>(stream.written_at(place), body_bits_.data(),
+                                       std::size_t(structure_.bodies()));
+    place += padded(bodies);
     put(joint_bits_.data(), std::size_t(structure_.joints()));
     put(geom_bits_.data(), std::size_t(structure_.geoms()));
 }
@@ -287,8 +298,7 @@ void WorldState::load_bodies(StateStream& stream, const std::byte* bits)
     for (int i = 0; i < count && !stream.failed(); ++i) {
         if (stores && i + 2 * kAhead < count) prefetch_state(bodies_[i + 2 * kAhead]);
         if (stores && i + kAhead < count) prefetch_geoms(bodies_[i + kAhead]);
-        std::uint16_t own;
-        std::memcpy(&own, bits + sizeof own * std::size_t(i), sizeof own);
+        const auto own = get_little<std::uint16_t>(bits, std::size_t(i));
         if (load_state(bodies_[i], own, stream)) body_moved(bodies_[i]);
     }
 }
@@ -342,6 +352,7 @@ const char* WorldState::check(const std::byte* from, std::size_t size, Seal with
     Counts counts;
     if (length < sizeof header + sizeof counts) return "the state ends too early";
     std::memcpy(&counts, from + sizeof header, sizeof counts);
+    counts = counts.little();
     const struct {
         const char* name;
         std::uint32_t state;
@@ -369,6 +380,7 @@ const char* WorldState::set(const std::byte* from, std::size_t size, Seal with)
     StateHeader header;
     Counts counts;
     std::memcpy(&header, from, sizeof header), std::memcpy(&counts, from + sizeof header, sizeof counts);
+    header = epode::little(header), counts = counts.little();
     const std::size_t begin = begin_of_parts(), length = std::size_t(header.size) - begin;
     StateStream stream(StateStream::Mode::kCheck, from + begin, length);
     stream.set_format(header.version);

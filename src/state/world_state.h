@@ -57,6 +57,9 @@ class WorldState {
     struct Counts {
         std::uint64_t hash;
         std::uint32_t bodies, joints, geoms, flags;
+
+        // As the state has them, and the other way round.
+        Counts little() const;
     };
     [[nodiscard]] bool find_structure();
     [[nodiscard]] bool find_joints(Joints which, bool same);

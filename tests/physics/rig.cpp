@@ -5,9 +5,12 @@
 // test compares the library with mechanics and not with numbers of its own.
 #include "rig.h"
 
+#include <algorithm>
+#include <bit>
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
 #include <mutex>
 
 namespace epode::physics {
@@ -257,6 +260,7 @@ std::uint64_t hash_reals(const dReal* values, int count, std::uint64_t seed)
     for (int i = 0; i < count; ++i) {
         unsigned char bytes[sizeof(dReal)];
         std::memcpy(bytes, &values[i], sizeof bytes);
+        if (std::endian::native == std::endian::big) std::reverse(std::begin(bytes), std::end(bytes));
         for (unsigned char byte : bytes) seed = (seed ^ byte) * 0x100000001b3u;
     }
     return seed;

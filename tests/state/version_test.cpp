@@ -5,6 +5,8 @@
 // each precision, are read for ever: bodies are and move as they did, and the world goes on, as its clone does.
 // (How it goes on is a matter of the solvers.) With EPODE_WRITE_WORLD=PATH in the environment the file of the
 // present version is written there.
+#include <array>
+#include <bit>
 #include <cstdlib>
 #include <fstream>
 
@@ -36,9 +38,12 @@ std::uint64_t hash_of_motion(dWorldID world)
     const unsigned fields = dStatePosition | dStateQuaternion | dStateLinearVel | dStateAngularVel;
     EXPECT_EQ(dBodiesGetStates(bodies.data(), int(bodies.size()), fields, rows.data(), 0), 1);
     std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const dReal& number : rows)
-        for (std::size_t i = 0; i < sizeof number; ++i)
-            hash = (hash ^ reinterpret_cast<const unsigned char*>(&number)[i]) * 0x100000001b3u;
+    for (const dReal number : rows) {
+        const auto bytes = std::bit_cast<std::array<unsigned char, sizeof number>>(number);
+        for (std::size_t i = 0; i < sizeof number; ++i)  // as they stand in a little-endian file
+            hash = (hash ^ bytes[std::endian::native == std::endian::big ? sizeof number - 1 - i : i]) *
+                   0x100000001b3u;
+    }
     return hash;
 }
 

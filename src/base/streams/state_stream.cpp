@@ -15,12 +15,11 @@ bool StateStream::grow(std::size_t count)
 void StateStream::number(const Number& n)
 {
     const auto judge = [&](const std::byte* from) {
-        Real x;
-        std::memcpy(&x, from, sizeof x);
+        const Real x = get_little<Real>(from);
         if (n.computed) return within(x, n.infinite ? kInf : std::numeric_limits<Real>::max());
         return (n.infinite ? usable_or_infinite(x) : usable(x)) && x >= n.least;
     };
-    bytes(n.value, sizeof(Real), judge);
+    numbers(n.value, 1, judge);
 }
 
 std::uint32_t StateStream::unusual(std::initializer_list<Number> numbers, std::uint32_t bits)

@@ -7,11 +7,10 @@
 //   kCheck    reads and checks, and stores nothing
 //   kRead     reads, checks and stores
 // A function that takes a value returns the value to use: the same one when a state is saved, the saved one
-// when it is loaded. All sizes are multiples of four bytes. Numbers have the layout of memory, little endian.
+// when it is loaded. All sizes are multiples of four bytes. Numbers are little endian (base/streams/little_endian.h).
 // The first fault is kept, in words; values read after it are 0.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -20,11 +19,10 @@
 
 #include "base/check.h"
 #include "base/streams/first_fault.h"
+#include "base/streams/little_endian.h"
 #include "base/streams/state_bytes.h"
 
 namespace epode {
-
-static_assert(std::endian::native == std::endian::little, "states are little endian");
 
 class StateStream : public FirstFault {
   public:
@@ -78,11 +76,10 @@ class StateStream : public FirstFault {
     // Finite, or with `infinite` any but NaN. Bodies may fly farther than a program may place them.
     void reals(Real* values, int count, bool infinite = false)
     {
-        bytes(values, sizeof(Real) * std::size_t(count), [&](const std::byte* from) {
+        numbers(values, count, [&](const std::byte* from) {
             bool good = true;
             for (int i = 0; i < count; ++i) {
-                Real x;
-                std::memcpy(&x, from + sizeof x * std::size_t(i), sizeof x);
+                const Real x = get_little<Real>(from, std::size_t(i));
                 good = good & within(x, infinite ? kInf : std::numeric_limits<Real>::max());
             }
             return good;
@@ -91,11 +88,11 @@ class StateStream : public FirstFault {
     // Starting values of solvers and keys of contacts: any bits, since steps contain bad results.
     void guesses(Real* values, int count)
     {
-        bytes(values, sizeof(Real) * std::size_t(count), [](const std::byte*) { return true; });
+        numbers(values, count, [](const std::byte*) { return true; });
     }
     void floats(float* values, int count)
     {
-        bytes(values, sizeof(float) * std::size_t(count), [](const std::byte*) { return true; });
+        numbers(values, count, [](const std::byte*) { return true; });
     }
 
     // A run of bytes, padded to a multiple of four, which the caller writes or reads directly, before it writes
@@ -135,23 +132,24 @@ class StateStream : public FirstFault {
     {
         if (!take(sizeof value)) return saves() ? value : T(0);
         if (saves())
-            std::memcpy(at_, &value, sizeof value);
+            copy_little<sizeof value>(at_, &value, 1);
         else
-            std::memcpy(&value, at_, sizeof value);
+            value = get_little<T>(at_);
         at_ += sizeof value;
         return value;
     }
-    template <typename Judge>
-    void bytes(void* values, std::size_t count, Judge&& judge)
+    template <typename T, typename Judge>
+    void numbers(T* values, int count, Judge&& judge)
     {
-        if (!take(count)) return;
+        const std::size_t size = sizeof(T) * std::size_t(count);
+        if (!take(size)) return;
         if (saves()) {
-            std::memcpy(at_, values, count);
+            copy_little<sizeof(T)>(at_, values, std::size_t(count));
         } else {
             if (!checked_ && !judge(at_)) return bad_number();
-            if (mode_ == Mode::kRead) std::memcpy(values, at_, count);
+            if (mode_ == Mode::kRead) copy_little<sizeof(T)>(values, at_, std::size_t(count));
         }
-        at_ += count;
+        at_ += size;
     }
     // So many bytes are there, to be read or written.
     bool take(std::size_t count)

@@ -12,7 +12,7 @@ namespace epode {
 int StructureStream::count(int value, std::size_t size, const char* text)
 {
     std::uint32_t number = std::uint32_t(value);
-    bytes(&number, sizeof number);
+    numbers(&number, 1);
     if (saves()) return value;
     if (number > std::uint32_t(INT_MAX) || number * size > left()) {
         fail("%u %s do not fit into the %zu bytes that are left", number, text, left());
@@ -23,7 +23,7 @@ int StructureStream::count(int value, std::size_t size, const char* text)
 
 void StructureStream::reals(Real* values, int count, Range range, Real low)
 {
-    bytes(values, sizeof(Real) * std::size_t(count));
+    numbers(values, std::size_t(count));
     if (saves()) return;
     const Real limit = range == kInfinite ? kInf : std::numeric_limits<Real>::max();
     for (int i = 0; i < count; ++i)

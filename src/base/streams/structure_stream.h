@@ -7,10 +7,9 @@
 // loaded becomes objects that nobody uses yet, and is stored while it is read. The first fault is kept, in
 // words, and nothing is read after it.
 // A clone shares what is of the process (meshes, functions, user data): its bytes hold pointers and never
-// leave the process. Numbers have the layout of memory, little endian.
+// leave the process. Numbers are little endian (base/streams/little_endian.h).
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -19,10 +18,9 @@
 
 #include "base/array.h"
 #include "base/streams/first_fault.h"
+#include "base/streams/little_endian.h"
 
 namespace epode {
-
-static_assert(std::endian::native == std::endian::little, "files are little endian");
 
 class StructureStream : public FirstFault {
   public:
@@ -45,13 +43,13 @@ class StructureStream : public FirstFault {
     template <typename T>
     void number(T& value)
     {
-        bytes(&value, sizeof value);
+        numbers(&value, 1);
     }
     // At least `low` and less than `end`.
     template <typename T>
     void number(T& value, T low, T end, const char* text)
     {
-        bytes(&value, sizeof value);
+        numbers(&value, 1);
         if (loads() && !(value >= low && value < end)) fail("%s", text), value = low;
     }
     // A count of what follows, each at least `size` bytes long.
@@ -87,6 +85,19 @@ class StructureStream : public FirstFault {
             bytes(&p, sizeof p);
         else if (loads())
             p = nullptr;
+    }
+
+    // As many numbers, whatever they are.
+    template <typename T>
+    void numbers(T* values, std::size_t count)
+    {
+        static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
+        if constexpr (std::endian::native == std::endian::little) return bytes(values, sizeof(T) * count);
+        for (std::size_t i = 0; i < count; ++i) {
+            T value = saves() ? little(values[i]) : T{};
+            bytes(&value, sizeof value);
+            if (loads()) values[i] = little(value);
+        }
     }
 
     // As many bytes, whatever they are.

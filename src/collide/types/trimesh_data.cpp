@@ -185,7 +185,7 @@ void load(TrimeshData& d, StructureStream& stream)
     const int count = stream.count(0, sizeof(MeshCorners), "triangles of a mesh");
     if (!stream.demand(vertices.resize(vertex_count) && triangles.resize(count), kOutOfMemory)) return;
     for (Vec3& v : vertices) stream.vector(v);
-    stream.bytes(triangles.data(), sizeof(MeshCorners) * std::size_t(count));
+    for (MeshCorners& corners : triangles) stream.numbers(corners.at, 3);
     bool good = vertex_count > 0 && count > 0 && count <= TriangleMesh::kMostTriangles && grain > 0 &&
                 grain < Real(1e-3);
     for (const Vec3 v : vertices) good = good && usable(v.x) && usable(v.y) && usable(v.z);
@@ -213,7 +213,7 @@ void save(const TrimeshData& d, StructureStream& stream)
     }
     for (int t = 0; t < d.mesh.triangle_count(); ++t) {
         MeshCorners corners = d.mesh.corners(t);
-        stream.bytes(&corners, sizeof corners);
+        stream.numbers(corners.at, 3);
     }
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/streams/little_endian.h"
 #include "simd/quad.h"
 
 namespace epode {
@@ -43,17 +44,17 @@ struct Predicted {
 IntQuad load_ints(const float* p) { return std::bit_cast<IntQuad>(load_floats(p)); }
 void store_ints(float* p, IntQuad a) { store_floats(p, std::bit_cast<FloatQuad>(a)); }
 
-// Of constant size: a call of memcpy() costs as much as many of these.
-template <std::size_t size>
+// Of constant size: a call of memcpy() costs as much as many of these. `size` bytes of numbers that have `one` each.
+template <std::size_t size, std::size_t one = sizeof(float)>
 void put(std::byte*& to, const void* from)
 {
-    std::memcpy(to, from, size);
+    copy_little<one>(to, from, size / one);
     to += size;
 }
-template <std::size_t size>
+template <std::size_t size, std::size_t one = sizeof(float)>
 void get(void* to, const std::byte*& from)
 {
-    std::memcpy(to, from, size);
+    copy_little<one>(to, from, size / one);
     from += size;
 }
 
@@ -90,7 +91,7 @@ void put_small(std::byte*& to, const Differences& differences)
     Small small[3][count];
     for (int k = 0; k < 3; ++k)
         for (int i = 0; i < count; ++i) small[k][i] = Small(differences.row[k][i]);
-    put<sizeof small>(to, small);
+    put<sizeof small, sizeof(Small)>(to, small);
     constexpr std::size_t padding = -sizeof small % 4;
     for (std::size_t i = 0; i < padding; ++i) *to++ = std::byte(0);
 }
@@ -100,7 +101,7 @@ void get_small(const std::byte*& from, ManifoldFinding& found)
 {
     const Predicted predicted(found, found.anchors.a1);
     Small small[3][count];
-    get<sizeof small>(small, from);
+    get<sizeof small, sizeof(Small)>(small, from);
     from += -sizeof small % 4;
     for (int k = 0; k < 3; ++k) {
         const auto own = [&](int i) { return std::int32_t(small[k][i < count ? i : count - 1]); };

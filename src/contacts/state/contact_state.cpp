@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/streams/little_endian.h"
 #include "collide/collide.h"
 #include "contacts/material.h"
 #include "contacts/pair_rules.h"
@@ -117,7 +118,9 @@ bool ContactWorld::save(const World& world, const SpaceGeoms& geoms, StateStream
     (void)stream.block(sizeof counts);
     save_pairs(float(contact_layer(world)), geoms, stream, counts);
     for (const dContactEvent& event : ended_) counts.ended += save_ended(event, geoms, stream);
-    if (!stream.failed()) std::memcpy(stream.written_at(place), &counts, sizeof counts);
+    if (!stream.failed())
+        copy_little<sizeof counts.pairs>(stream.written_at(place), &counts,
+                                         sizeof counts / sizeof counts.pairs);
     return !stream.failed();
 }
 
@@ -142,7 +145,7 @@ void ContactWorld::save_pair(const Listed& listed, float layer, const SpaceGeoms
     if (!begin) return;
     std::byte* to = begin;
     const auto word = [&](std::uint32_t value) {
-        std::memcpy(to, &value, sizeof value);
+        copy_little<sizeof value>(to, &value, 1);
         to += sizeof value;
     };
     if (geoms.count() <= kNarrowGeoms)
@@ -172,7 +175,7 @@ void ContactWorld::save_pair(const Listed& listed, float layer, const SpaceGeoms
         if (kept.found.changes != changes) own |= kChanged;
         bits |= packed(own) << (kFirstManifold + i * kManifoldBits);
     }
-    std::memcpy(bits_at, &bits, sizeof bits);
+    copy_little<sizeof bits>(bits_at, &bits, 1);
     stream.end_block(to);
     ++counts.pairs, counts.manifolds += pair.count;
 }

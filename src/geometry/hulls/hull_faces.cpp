@@ -10,12 +10,11 @@
 
 #include <algorithm>
 
+#include "geometry/hulls/wide_integer.h"
+
 namespace epode {
 
 namespace {
-
-// Minors have up to 83 bits.
-__extension__ typedef __int128 Int128;
 
 class Gatherer {
   public:
@@ -198,10 +197,11 @@ int side_of(const Array<GridPoint>& points, int a, int b, int c, int d)
         v[k] = points[c].x[k] - points[a].x[k];
         w[k] = points[d].x[k] - points[a].x[k];
     }
+    // Of up to 126 bits.
     const Int128 det = (Int128(u[1]) * v[2] - Int128(u[2]) * v[1]) * w[0] +
                        (Int128(u[2]) * v[0] - Int128(u[0]) * v[2]) * w[1] +
                        (Int128(u[0]) * v[1] - Int128(u[1]) * v[0]) * w[2];
-    return det > 0 ? 1 : det < 0 ? -1 : 0;
+    return sign(det);
 }
 
 HullFacet plane_through(const Array<GridPoint>& points, int a, int b, int c)

@@ -42,7 +42,7 @@ void Polyhedron::structure(StructureStream& stream)
         stream.vector(f.normal), stream.real(f.offset);
         stream.number(f.first), stream.number(f.count);
     }
-    stream.bytes(corners_.data(), sizeof(int) * std::size_t(corners));
+    stream.numbers(corners_.data(), std::size_t(corners));
     if (stream.loads() && !stream.failed()) (void)load_faces(stream);
 }
 

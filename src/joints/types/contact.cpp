@@ -120,8 +120,8 @@ void structure_of_contact(dContact& c, StructureStream& stream)
     stream.reals(c.geom.pos, 3), stream.reals(c.geom.normal, 3), stream.real(c.geom.depth);
     if (!Contact::is_special(s.mode)) return;
     // What the mode does not name may be anything.
-    stream.bytes(&s.mu2, sizeof(dSurfaceParameters) - offsetof(dSurfaceParameters, mu2));
-    stream.bytes(c.fdir1, 3 * sizeof(Real));
+    stream.numbers(&s.mu2, (sizeof(dSurfaceParameters) - offsetof(dSurfaceParameters, mu2)) / sizeof(Real));
+    stream.numbers(c.fdir1, 3);
 }
 
 }  // namespace
