@@ -17,7 +17,9 @@ from typing import TYPE_CHECKING, Any
 
 from . import c
 from .body import Body, BodyGroup
-from .enums import (Behaviour, CauseKind, CombineRule, ContactEventKind, EventGone, EventKind, Falloff, IslandMethod, Severity)
+from .character import Character
+from .enums import (Behaviour, CauseKind, CharacterState, CombineRule, ContactEventKind, Differential, EventGone, EventKind, Falloff,
+                    IslandMethod, Severity, VehicleKind, WheelCast)
 from .errors import BusyError, DeadHandleError, EpodeWarning, RefusedError
 from .fluid import Fluid
 from .geom import Geom
@@ -25,6 +27,7 @@ from .joint import Drive, Joint, joint_states
 from .recording import Recording
 from .shapes import (Box, Capsule, Cone, Convex, Cylinder, Decomposition, Ellipsoid, HeightField, Material, Mesh, Plane,
                      Sphere, TaperedCapsule, decompose)
+from .vehicle import Vehicle, Wheel
 from .world import Cause, World, defaults_text, load_world, step_worlds
 
 if TYPE_CHECKING:
@@ -33,11 +36,13 @@ if TYPE_CHECKING:
     from .robot import Model as Model, Robot as Robot, Robots as Robots, load
 
 __version__ = "0.1.0"
-__all__ = ["Batch", "Behaviour", "Body", "BodyGroup", "Box", "BusyError", "Capsule", "Cause", "CauseKind", "CombineRule", "Cone",
-           "ContactEventKind", "Convex", "Cylinder", "DeadHandleError", "Decomposition", "Drive", "Ellipsoid", "EpodeWarning",
-           "EventGone", "EventKind", "Falloff", "Fluid", "Geom", "HeightField", "IslandMethod", "Joint", "Material", "Mesh", "Plane",
-           "Recording", "RefusedError", "Severity", "Sphere", "TaperedCapsule", "World", "c", "decompose", "defaults_text",
-           "joint_states", "load", "load_world", "robot", "step_worlds", "sweep", "vector"]
+__all__ = ["Batch", "Behaviour", "Body", "BodyGroup", "Box", "BusyError", "Capsule", "Cause", "CauseKind",
+           "Character", "CharacterState", "CombineRule", "Cone", "ContactEventKind", "Convex", "Cylinder",
+           "DeadHandleError", "Decomposition", "Differential", "Drive", "Ellipsoid", "EpodeWarning", "EventGone",
+           "EventKind", "Falloff", "Fluid", "Geom", "HeightField", "IslandMethod", "Joint", "Material", "Mesh",
+           "Plane", "Recording", "RefusedError", "Severity", "Sphere", "TaperedCapsule", "Vehicle", "VehicleKind",
+           "Wheel", "WheelCast", "World", "c", "decompose", "defaults_text", "joint_states", "load", "load_world",
+           "robot", "step_worlds", "sweep", "vector"]
 
 
 def __getattr__(name: str) -> Any:

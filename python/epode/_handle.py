@@ -112,6 +112,34 @@ def switch(get: Callable[[Any], int], on: Callable[[Any], Any], off: Callable[[A
     return Value(lambda self: bool(get(self._handle)), lambda self, value: (on if value else off)(self._handle), doc=doc)
 
 
+def number_of(structure: Callable[[Any], Any], field: str, doc: str) -> Value[float, Never]:
+    """A property that a structure of numbers, such as a report, has as a field."""
+    return Value(lambda self: float(getattr(structure(self), field)), doc=doc)
+
+
+def vector_of(structure: Callable[[Any], Any], field: str, doc: str) -> Value[FloatArray, Never]:
+    """The same, of three numbers."""
+    return Value(lambda self: np.array(getattr(structure(self), field), dtype=float), doc=doc)
+
+
+def flag_of(structure: Callable[[Any], Any], field: str, doc: str) -> Value[bool, Never]:
+    """The same, true or false."""
+    return Value(lambda self: bool(getattr(structure(self), field)), doc=doc)
+
+
+def settable(*classes: type) -> list[str]:
+    """The names of the properties of classes that can be set."""
+    return [name for one in classes for name, what in vars(one).items() if isinstance(what, property) and what.fset is not None]
+
+
+def put_settings(one: Any, settings: dict[str, Any], known: list[str], kind: str) -> None:
+    """Set properties of a new object by their names, of which it has those that are known."""
+    for name, value in settings.items():
+        if name not in known:
+            raise TypeError(f"a {kind} has no {name}: {', '.join(known)}")
+        setattr(one, name, value)
+
+
 def describe_fields(*classes: type) -> None:
     """Give the constructors of dataclasses, which say nothing, the text of their class, which tells of its fields."""
     for one in classes:

@@ -48,6 +48,35 @@ class Falloff(enum.IntEnum):
     QUADRATIC = c.dFalloffQuadratic
 
 
+class CharacterState(enum.IntEnum):
+    """What a character stands on (``c.dCharacterState``)."""
+    NOT_MOVED = 0
+    IN_AIR = c.dCharacterInAir
+    ON_STEEP = c.dCharacterOnSteep
+    ON_GROUND = c.dCharacterOnGround
+
+
+class VehicleKind(enum.IntEnum):
+    """How a vehicle is driven and steered (``c.dVehicleKind``)."""
+    CAR = c.dVehicleCar
+    BIKE = c.dVehicleBike
+    TRACKED = c.dVehicleTracked
+
+
+class WheelCast(enum.IntEnum):
+    """How a wheel finds what it stands on (``c.dWheelCast``)."""
+    RAY = c.dWheelRay
+    SPHERE = c.dWheelSphere
+    CYLINDER = c.dWheelCylinder
+
+
+class Differential(enum.IntEnum):
+    """How a differential divides (``c.dDifferential``)."""
+    OPEN = c.dDifferentialOpen
+    LIMITED = c.dDifferentialLimited
+    LOCKED = c.dDifferentialLocked
+
+
 class CauseKind(enum.IntEnum):
     """What ``World.diagnose`` finds (``c.dDiagnosisKind``)."""
     INPUT = c.dDiagnosisInput

@@ -15,10 +15,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _c, c
-from ._handle import FloatArray, Object, Value, flag, reads_and_sets, share, three
+from ._handle import FloatArray, Object, Value, flag, put_settings, reads_and_sets, share, three
 from ._robot_states import joined, numbers_of, set_numbers, split
 from ._structure import Description, Past, Structure
 from .body import Bodies, Body
+from .character import SETTINGS as CHARACTER_SETTINGS
+from .character import Character
 from .enums import Behaviour, CauseKind, Falloff, Severity
 from .errors import RefusedError
 from .fluid import Fluid
@@ -26,6 +28,7 @@ from .geom import Geom
 from .joint import SETTINGS, TYPES, Joint
 from .recording import Recording
 from .shapes import Material, Plane, Shape
+from .vehicle import Vehicle
 
 if typing.TYPE_CHECKING:
     from .robot import Robot
@@ -304,6 +307,34 @@ class World(Object):
         """The fluids of the world, the oldest first."""
         return tuple(self._fluids)
 
+    def character(self, *, shape: str = "capsule", radius: float = 0.3, height: float = 1.8, up: ArrayLike = (0, 0, 1),
+                  **settings: typing.Any) -> Character:
+        """A new character, a "capsule", "cylinder" or "box", with its feet at the origin. radius, of a box half the side of its square
+        base, and height in m. settings: feet, slope_limit, step_height, max_force, filter and whatever else a Character has."""
+        character = Character._new(self, shape, radius, height, up)
+        self._geoms[character._key] = character
+        self._edition += 1
+        try:
+            put_settings(character, settings, CHARACTER_SETTINGS, "character")
+        except BaseException:
+            character.destroy()
+            raise
+        return character
+
+    def vehicle(self, *, mass: float | None = None, density: float | None = None, position: ArrayLike | None = None,
+                rotation: ArrayLike | None = None, quaternion: ArrayLike | None = None, shape: Shape | None = None,
+                material: Material | None = None, inertia: ArrayLike | None = None, **settings: typing.Any) -> Vehicle:
+        """A new body, as ``body`` makes it, that is the chassis of a vehicle without wheels; ``Vehicle.add_wheel`` adds them. settings:
+        kind, engine_curve, gear_ratios, max_steer and whatever else a Vehicle has."""
+        body = self.body(mass=mass, density=density, position=position, rotation=rotation, quaternion=quaternion, shape=shape,
+                         material=material, inertia=inertia)
+        handle = body._handle
+        try:
+            return Vehicle._new(self, body, settings)
+        except BaseException:
+            self._bodies[handle].destroy()
+            raise
+
     def joint(self, type: str, body1: Body | None, body2: Body | None = None, **settings: typing.Any) -> Joint:
         """A new joint of a type (ball, hinge, slider, universal, hinge2, fixed, amotor, lmotor, plane2d, pr, pu, piston,
         dball, dhinge, transmission) between two bodies, or a body and the world. settings: anchor, axis, axis1, axis2,
@@ -415,6 +446,21 @@ class World(Object):
             me = world()
             return me is None or called(me._geoms[a.id], me._geoms[b.id])
         c.dWorldSetContactFilter(self._handle, touch)
+
+    def on_manifold(self, function: Callable[[Geom, Geom, c.dManifold], typing.Any] | None) -> None:
+        """Call function(geom1, geom2, manifold) for every manifold of contacts in every step, before it is solved; None: no more. It may
+        set accept, friction, bounce, bounce_speed, rolling_friction, compliance, damping_time and surface_velocity of the ``c.dManifold``,
+        for this step alone; geom1 has a body."""
+        if function is None:
+            c.dWorldSetManifoldFunction(self._handle, None)
+            return
+        called, world = function, weakref.ref(self)  # what the engine keeps must not keep the world
+
+        def show(manifold: c.dManifold) -> None:
+            me, g1, g2 = world(), manifold.g1, manifold.g2
+            if me is not None and g1 is not None and g2 is not None:
+                called(me._geoms[g1.id], me._geoms[g2.id], manifold)
+        c.dWorldSetManifoldFunction(self._handle, show)
 
     # ---- to look at ----
 
@@ -593,12 +639,15 @@ class World(Object):
 
     def clone(self) -> World:
         """A copy that goes on with the same bits: bodies, joints and geoms in the same order, the same shapes, settings and
-        state; without callbacks of bodies, history and recording."""
+        state, functions of fluids and filters of characters; without callbacks of bodies, pairs and manifolds, history and recording."""
         handle, space, counterparts = c.dWorldClone(self._handle, self._space)
         assert space is not None
         copy = World._around(handle, space)
         copy._adopt(self, [counterparts[h] for h in self._bodies], [counterparts[h] for h in self._joints],
                     [counterparts[geom._live] for geom in self._geoms.values()])
+        for mine, other in zip(self._geoms.values(), copy._geoms.values()):
+            if isinstance(mine, Character) and isinstance(other, Character) and mine.filter is not None:
+                other.filter = mine.filter
         for robot in self._robots:
             if robot.alive:
                 type(robot)._copied(robot.model, robot._live, copy, robot._places())
@@ -635,13 +684,13 @@ class World(Object):
         was = like if isinstance(like, Description) else Description(like)
         self.stepper = was.stepper
         for body in bodies:
-            self._bodies[body] = Body(self, body)
+            self._bodies[body] = (Vehicle if c.dBodyIsVehicle(body) else Body)(self, body)
         mine = list(self._bodies.values())
         for joint, (kind, *ends) in zip(joints, was.joints):
             body1, body2 = (None if end is None else mine[end] for end in ends)
             self._joints[joint] = Joint(self, joint, kind, body1, body2)
         for handle, (shape, number) in zip(geoms, was.geoms):
-            geom = Geom(self, handle, shape, None if number is None else mine[number])
+            geom = (Character if c.dGeomIsCharacter(handle) else Geom)(self, handle, shape, None if number is None else mine[number])
             shape._adopt(handle)
             self._geoms[geom._key] = geom
             if geom.body is not None:

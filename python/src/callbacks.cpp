@@ -76,7 +76,41 @@ void on_current(void* data, const dVector3 place, dReal time, dVector3 velocity)
 }
 
 // Places of kept objects.
-enum { kMoved, kContactFilter, kHeights, kFeedback, kMeshVertices, kMeshIndices, kSurface, kCurrent };
+enum {
+    kMoved,
+    kContactFilter,
+    kHeights,
+    kFeedback,
+    kMeshVertices,
+    kMeshIndices,
+    kSurface,
+    kCurrent,
+    kManifold,
+    kCharacterFilter
+};
+
+// The function belongs to the geom, not to the pointer in its settings, which copies of worlds have, too.
+int on_character(void*, dGeomID character, dGeomID other, const dVector3 velocity)
+{
+    int keep_it = 1;
+    guarded([&] {
+        const nb::object filter = kept(character, kCharacterFilter);
+        if (filter.is_none()) return;
+        keep_it =
+            nb::cast<bool>(nb::bool_(filter(wrapped(character), wrapped(other), array_of(velocity, 3))));
+    });
+    return keep_it;
+}
+
+// The function gets a copy, which it may keep.
+void on_manifold(void* data, dManifold* manifold)
+{
+    guarded([&] {
+        const nb::object shown = nb::cast(*manifold);
+        nb::borrow(static_cast<PyObject*>(data))(shown);
+        *manifold = *nb::cast<const dManifold*>(shown);
+    });
+}
 
 // The library knows its dead.
 bool is_dead_joint(const void* owner, int place)
@@ -135,6 +169,48 @@ void set_contact_filter(const WorldHandle* world, nb::object filter)
     dWorldSetContactFilter(get(world), filter.is_none() ? nullptr : on_pair, filter.ptr());
     call.done();
     keep(get(world), kContactFilter, filter, get(world));
+}
+
+void set_manifold_function(const WorldHandle* world, nb::object function)
+{
+    Call call;
+    call.uses(get(world));
+    dWorldSetManifoldFunction(get(world), function.is_none() ? nullptr : on_manifold, function.ptr(), 0);
+    call.done();
+    keep(get(world), kManifold, function, get(world));
+}
+
+// Settings of a character with the filter that is given, or with none.
+dCharacterSettings with_filter(const dCharacterSettings& settings, const nb::object& filter)
+{
+    dCharacterSettings result = settings;
+    result.filter = filter.is_none() ? nullptr : on_character;
+    result.data = nullptr;
+    return result;
+}
+
+nb::object create_character(const SpaceHandle* space, const dCharacterSettings* settings, nb::object filter)
+{
+    dCharacterSettings given;
+    dCharacterSettingsInit(&given, sizeof given);
+    given = with_filter(settings ? *settings : given, filter);
+    Call call;
+    call.uses(space_of(space));
+    const dGeomID character = dCharacterCreate(space_of(space), &given);
+    call.done();
+    keep(character, kCharacterFilter, filter);
+    return wrapped(character);
+}
+
+int set_character(const GeomHandle* character, const dCharacterSettings* settings, nb::object filter)
+{
+    const dCharacterSettings given = settings ? with_filter(*settings, filter) : dCharacterSettings{};
+    Call call;
+    call.uses(get(character));
+    const int done = dCharacterSetSettings(get(character), settings ? &given : nullptr);
+    call.done();
+    keep(get(character), kCharacterFilter, filter);
+    return done;
 }
 
 void set_surface(const FluidHandle* fluid, nb::object surface)
@@ -212,6 +288,16 @@ void build_mesh(const MeshHandle* data, nb::object vertices, nb::object indices,
 
 void forget_joints() { forget_dead(is_dead_joint); }
 
+void adopt_functions(dWorldID from, dWorldID copy)
+{
+    dWorldSetContactFilter(copy, nullptr, nullptr);
+    dWorldSetManifoldFunction(copy, nullptr, nullptr, 0);
+    for (int i = 0; i < dWorldGetNumFluids(copy); ++i) {
+        const dFluidID was = dWorldGetFluid(from, i), is = dWorldGetFluid(copy, i);
+        for (const int place : {kSurface, kCurrent}) keep(is, place, kept(was, place), copy);
+    }
+}
+
 Filter::Filter() { dQueryFilterInit(&filter, sizeof filter); }
 
 const dQueryFilter* filter_of(const Filter* filter)
@@ -250,6 +336,40 @@ void bind_callbacks(nb::module_& m)
           TEXT(dBodySetMovedCallback));
     m.def("dWorldSetContactFilter", set_contact_filter, "world"_a.none(), "filter"_a.none(),
           TEXT(dWorldSetContactFilter));
+    nb::class_<dManifold>(m, "dManifold")
+        .def("__init__", [](dManifold* m) { *m = {}, m->struct_size = sizeof(dManifold); })
+        .def_prop_ro("g1", [](const dManifold& m) { return wrapped(m.g1); })
+        .def_prop_ro("g2", [](const dManifold& m) { return wrapped(m.g2); })
+        .def_ro("touched", &dManifold::touched)
+        .def_ro("count", &dManifold::count)
+        .def_prop_ro("pos",
+                     [](const dManifold& m) {
+                         dReal* data;
+                         nb::object result = real_array(size_t(m.count), 3, &data);
+                         for (int i = 0; i < m.count; ++i) std::copy_n(m.pos[i], 3, data + 3 * i);
+                         return result;
+                     })
+        .def_prop_ro("depth", [](const dManifold& m) { return array_of(m.depth, m.count); })
+        .def_prop_ro("normal", [](const dManifold& m) { return array_of(m.normal, 3); })
+        .def_prop_ro("velocity", [](const dManifold& m) { return array_of(m.velocity, 3); })
+        .def_rw("accept", &dManifold::accept)
+        .def_rw("friction", &dManifold::friction)
+        .def_rw("bounce", &dManifold::bounce)
+        .def_rw("bounce_speed", &dManifold::bounce_speed)
+        .def_rw("rolling_friction", &dManifold::rolling_friction)
+        .def_rw("compliance", &dManifold::compliance)
+        .def_rw("damping_time", &dManifold::damping_time)
+        .def_prop_rw(
+            "surface_velocity", [](const dManifold& m) { return array_of(m.surface_velocity, 3); },
+            [](dManifold& m, nb::object v) {
+                std::copy_n(numbers<3>(v, "surface_velocity").v, 3, m.surface_velocity);
+            });
+    m.def("dWorldSetManifoldFunction", set_manifold_function, "world"_a.none(), "function"_a.none(),
+          TEXT(dWorldSetManifoldFunction));
+    m.def("dCharacterCreate", create_character, "space"_a.none(), "settings"_a.none() = nb::none(),
+          "filter"_a.none() = nb::none(), TEXT(dCharacterCreate));
+    m.def("dCharacterSetSettings", set_character, "character"_a.none(), "settings"_a.none(),
+          "filter"_a.none() = nb::none(), TEXT(dCharacterSetSettings));
     m.def("dFluidSetSurface", set_surface, "fluid"_a.none(), "surface"_a.none(), TEXT(dFluidSetSurface));
     m.def("dFluidSetCurrentFunction", set_current, "fluid"_a.none(), "current"_a.none(),
           TEXT(dFluidSetCurrentFunction));

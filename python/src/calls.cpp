@@ -163,6 +163,18 @@ template Array<const unsigned> array_in<unsigned>(nb::handle);
 template Array<const short> array_in<short>(nb::handle);
 template Array<const unsigned char> array_in<unsigned char>(nb::handle);
 
+void read_some(nb::handle from, dReal* to, int capacity, const char* what)
+{
+    const Array<const double> given = array_in<double>(from);
+    if (given.size < 1 || given.size > size_t(capacity)) {
+        std::string text = std::string(what) + ": 1 ... " + std::to_string(capacity) +
+                           " numbers expected, not " + std::to_string(given.size);
+        throw nb::value_error(text.c_str());
+    }
+    std::fill_n(to, capacity, 0);
+    std::copy_n(given.data, given.size, to);
+}
+
 nb::object real_array(size_t rows, size_t columns, dReal** data)
 {
     dReal* memory = new dReal[rows * std::max<size_t>(columns, 1) + 1];

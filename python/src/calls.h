@@ -84,6 +84,9 @@ struct Array {
 template <typename T>
 Array<const T> array_in(nb::handle from);
 
+// 1 ... capacity numbers; those that are not given become 0.
+void read_some(nb::handle from, dReal* to, int capacity, const char* what);
+
 // New arrays.
 nb::object array_of(const dReal* v, int count);
 nb::object matrix_of(const dReal* v);                                   // 3 x 3, from rows of four
@@ -148,6 +151,8 @@ void forget(const void* owner);
 void forget_world(dWorldID gone);
 void forget_dead(bool (*dead)(const void* owner, int place));
 void forget_joints();  // those of a group are gone
+// A copy of a world calls the same functions of fluids, which are kept for it, and none that knows geoms of the original.
+void adopt_functions(dWorldID from, dWorldID copy);
 
 void install_handlers();
 void set_exceptions(nb::object refused, nb::object dead, nb::object busy, nb::object warning);

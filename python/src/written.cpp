@@ -111,7 +111,7 @@ nb::object clone_world(const WorldHandle* world, const SpaceHandle* space)
     dSpaceID copied = space_of(space);
     dWorldID clone = dWorldClone(get(world), &copied, table.data(), int(table.size()));
     call.done();
-    dWorldSetContactFilter(clone, nullptr, nullptr);  // a Python function is the original's
+    adopt_functions(get(world), clone);
     return nb::make_tuple(wrapped(clone), wrapped(copied), counterparts(get(world), table));
 }
 

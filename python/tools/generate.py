@@ -139,8 +139,13 @@ def quoted(text):
 
 
 def field_code(struct, ctype, field, structs):
-    if "[" in field:
-        raise KeyError(f"{ctype} {field}")  # arrays of numbers have no form yet
+    array = ARRAY_FIELD.fullmatch(field)
+    if array and ctype == "dReal":
+        field, n = array.groups()
+        return (f'.def_prop_rw("{field}", [](const {struct}& s) {{ return array_of(s.{field}, {n}); }}, '
+                f'[]({struct}& s, nb::object v) {{ read_some(v, s.{field}, {n}, "{field}"); }})')
+    if array:
+        raise KeyError(f"{ctype} {field}")
     get, args = f"[](const {struct}& s)", f'"{field}"'
     if ctype in FIXED:
         n = FIXED[ctype]
@@ -171,6 +176,10 @@ def structure_code(name, fields, structs):
             f'        .def("__init__", []({name}* s) {{ {init} }})\n        {members};')
 
 
+# dReal ratios[10]: an array of so many numbers; of one that is set, the rest is 0.
+ARRAY_FIELD = re.compile(r"(\w+)\[(\d+)\]")
+
+
 def field_type(ctype):
     if ctype in FIXED:
         return ARRAY_OUT
@@ -186,7 +195,10 @@ def structure_stub(name, fields):
         if field == "struct_size":
             continue
         getter = ["    @property", f"    def {field}(self) -> {field_type(ctype)}: ..."]
-        if ctype in FIXED:  # whatever numpy takes may be assigned
+        array = ARRAY_FIELD.fullmatch(field)
+        if array:
+            field, getter = array[1], ["    @property", f"    def {array[1]}(self) -> {ARRAY_OUT}: ..."]
+        if ctype in FIXED or array:  # whatever numpy takes may be assigned
             lines += getter + [f"    @{field}.setter", f"    def {field}(self, value: {ARRAY_IN}) -> None: ..."]
         elif ctype.endswith("Kind"):
             lines += getter
@@ -226,6 +238,7 @@ HEAD = '// Written by python/tools/generate.py from the public headers.\n#includ
 def main():
     engine, cc, output, parts = sys.argv[1], sys.argv[2], sys.argv[3], int(sys.argv[4])
     text = preprocessed(os.path.join(engine, "include"), cc)
+    text = re.sub(rules.POINTERS_LEFT_OUT, "", text)
     every = list({name: (r, name, typed) for r, name, typed in functions(text)}.values())
     docs, all_structs = header_docs.texts(os.path.join(engine, "include", "ode")), structures(text)
     all_structs["#names"] = {name for _, name, _ in every}

@@ -66,6 +66,13 @@ WRITTEN = {
     "dSpaceCollide2": f"(o1: dGeomID | None, o2: dGeomID | None, callback: {_NEAR}) -> None",
     "dBodySetMovedCallback": "(body: dBodyID | None, callback: Callable[[dBodyID], Any] | None) -> None",
     "dWorldSetContactFilter": "(world: dWorldID | None, filter: Callable[[dGeomID, dGeomID], bool] | None) -> None",
+    "dWorldSetManifoldFunction": "(world: dWorldID | None, function: Callable[[dManifold], Any] | None) -> None",
+    "dCharacterCreate":
+        "(space: dSpaceID | None, settings: dCharacterSettings | None = None, "
+        "filter: Callable[[dGeomID, dGeomID, FloatArray], bool] | None = None) -> dGeomID",
+    "dCharacterSetSettings":
+        "(character: dGeomID | None, settings: dCharacterSettings | None, "
+        "filter: Callable[[dGeomID, dGeomID, FloatArray], bool] | None = None) -> int",
     "dFluidSetSurface": "(fluid: dFluidID | None, surface: Callable[[FloatArray, float], float] | None) -> None",
     "dFluidSetCurrentFunction": "(fluid: dFluidID | None, current: Callable[[FloatArray, float], ArrayLike] | None) -> None",
     "dQueryFilterInit": "(filter: dQueryFilter) -> None",
@@ -89,6 +96,37 @@ class dQueryFilter:
     skip_body: dBodyID | None
     callback: Callable[[dGeomID], bool] | None
     def __init__(self) -> None: ...
+
+
+class dManifold:
+    accept: int
+    friction: float
+    bounce: float
+    bounce_speed: float
+    rolling_friction: float
+    compliance: float
+    damping_time: float
+    def __init__(self) -> None: ...
+    @property
+    def g1(self) -> dGeomID | None: ...
+    @property
+    def g2(self) -> dGeomID | None: ...
+    @property
+    def touched(self) -> int: ...
+    @property
+    def count(self) -> int: ...
+    @property
+    def pos(self) -> FloatArray: ...
+    @property
+    def depth(self) -> FloatArray: ...
+    @property
+    def normal(self) -> FloatArray: ...
+    @property
+    def velocity(self) -> FloatArray: ...
+    @property
+    def surface_velocity(self) -> FloatArray: ...
+    @surface_velocity.setter
+    def surface_velocity(self, value: ArrayLike) -> None: ...
 
 
 class WorldRecording:
@@ -294,20 +332,20 @@ LEFT_OUT = {
     r"d(BoxBox|InfiniteAABB)": "helpers of colliders in C: dCollide does it",
     r"dGeomMoved|dBodyGetMovedCallback": "the library sees every move from Python",
     r"d(Init|Close|Cleanup|Allocate)ODE\w*": "done once when the module is imported",
-    r"dWorldSetManifoldFunction": "a Python call for each manifold of each step",
-    r"dCharacter\w+|dGeomIsCharacter": "characters have no class in Python yet",
-    r"dVehicle\w+|dBodyIsVehicle": "vehicles have no class in Python yet",
 }
 
 # Arrays of fixed size that a function reads and writes.
 READ_AND_WRITTEN = r"d(Safe)?Normalize[34]|dOrthogonalizeR"
+
+# Fields that structures do not have in Python: a character's filter is an argument of its functions.
+POINTERS_LEFT_OUT = r"dCharacterFilter ?\* ?filter; void ?\* ?data;"
 
 # Functions that run for long: the interpreter's lock is released, and the world is busy for other threads.
 STEPS = r"dWorld(Step|QuickStep|StepFast1|StepHybrid)"
 
 # Code after a call, of its first argument: objects are gone, and what was kept for them (callbacks, arrays) is let go.
 AFTER = {
-    r"d(Body|Joint|GeomTriMeshData|GeomHeightfieldData|Fluid)Destroy": "forget({});",
+    r"d(Body|Joint|Geom|GeomTriMeshData|GeomHeightfieldData|Fluid)Destroy": "forget({});",
     r"dJointGroup(Destroy|Empty)": "forget_joints();",
     r"dWorldDestroy": "forget_world({});",
 }
