@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "scenes/characters.h"
 #include "scenes/extensions.h"
 
 namespace epode::scenes {
@@ -129,6 +130,7 @@ void Scene::collide_pair(dGeomID geom1, dGeomID geom2)
     }
     dBodyID body1 = dGeomGetBody(geom1), body2 = dGeomGetBody(geom2);
     if (!moves(body1) && !moves(body2)) return;
+    if (is_character(geom1) || is_character(geom2)) return;
     if (body1 && body2 && dAreConnectedExcluding(body1, body2, dJointTypeContact)) return;
 
     dContact contact[kMaxContactsPerPair];

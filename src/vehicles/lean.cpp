@@ -8,6 +8,10 @@
 #include "math/trig.h"
 
 namespace epode {
+namespace {
+// Of gravity, that leaning may ask of the tyres.
+constexpr Real kSideways = Real(0.8);
+}  // namespace
 
 Real lean_of(const Body& body, const VehicleFrame& frame)
 {
@@ -28,7 +32,9 @@ Real lean_moment(const Body& body, const WheelForces& forces, Real h)
     const Vec3 sideways = arm - dot(arm, forward) * forward;
     const Real J = dot(about, body.inertia * about) + body.mass.mass * length2(sideways);
     const Real off = wanted - lean_of(body, forces.frame());
-    return J * wn * (wn * off - 2 * dot(w, forward)) / (1 + 2 * wn * h + wn * h * wn * h);
+    const Real turn = wn * (wn * off - 2 * dot(w, forward)) / (1 + 2 * wn * h + wn * h * wn * h);
+    const Real l = length(sideways), limit = l > 0 ? kSideways * g / l : kInf;
+    return J * std::clamp(turn, -limit, limit);
 }
 
 }  // namespace epode

@@ -5,6 +5,8 @@
 // the step or the stepper.
 #include "road.h"
 
+#include <algorithm>
+
 #ifdef dIDEDOUBLE  // the bounds are those of doubles
 
 namespace epode::vehicles {
@@ -220,6 +222,58 @@ TEST_P(Cornering, leans_a_bike_into_its_curve)
         road.run(body, 6, h());
         EXPECT_NEAR(report(body).lean, 0, 1e-3);  // and stands
         EXPECT_LT(speed(body), 1e-3);
+    }
+}
+
+// A rider looks 6 m ahead at a sine of 2 m and 36 m, and leans by about 0.5 rad to and fro. Unless leans have a bounded
+// acceleration the wheels slide away under the bike at 60 Hz.
+struct Slalom {
+    double x, largest_lean, largest_error;
+};
+
+Slalom ride_slalom(double h)
+{
+    Road road;
+    road.flat();
+    dVehicleSettings s = plain_settings();
+    s.kind = dVehicleBike;
+    const dBodyID body = bike(road, 14, &s);
+    dVehicleGetSettings(body, &s);
+    s.steer_speed = 1;
+    dMass light;
+    dMassSetBoxTotal(&light, 170, dReal(1.1), dReal(0.25), dReal(0.45));
+    dBodySetMass(body, &light);
+    dVehicleSetSettings(body, &s);
+    dVehicleSetGear(body, 0);
+    road.run(body, 1, h);  // the wheels turn
+    const auto path = [](double x) { return x < 27 ? 0 : 2 * std::sin(M_PI * (x / 18 - 1.5)); };
+    Slalom out{};
+    for (int i = 0; i < int(6 / h); ++i) {
+        const dReal* p = dBodyGetPosition(body);
+        dVector3 goal;
+        dBodyGetPosRelPoint(body, p[0] + 6, dReal(path(p[0] + 6)), p[2], goal);
+        const double bend = 2 * goal[1] / (goal[0] * goal[0] + goal[1] * goal[1]);
+        drive(body, 0, 0, std::clamp(1.4 * bend / s.max_steer, -1.0, 1.0));
+        dVehicleUpdate(body, dReal(h));
+        dWorldStepHybrid(road.world, dReal(h));
+        out.x = p[0];
+        out.largest_lean = std::max(out.largest_lean, std::fabs(double(report(body).lean)));
+        if (p[0] > 36) out.largest_error = std::max(out.largest_error, std::fabs(double(p[1]) - path(p[0])));
+    }
+    return out;
+}
+
+TEST(Bikes, hold_themselves_in_a_slalom_at_any_step_size)
+{
+    const Slalom fine = ride_slalom(1.0 / 480);
+    for (const double h : {1.0 / 60, 1.0 / 120}) {
+        const Slalom coarse = ride_slalom(h);
+        EXPECT_GT(coarse.largest_lean, 0.25);
+        EXPECT_LT(coarse.largest_lean, 0.7);
+        EXPECT_LT(coarse.largest_error, 1);
+        EXPECT_NEAR(coarse.x, fine.x, 0.02 * fine.x);
+        EXPECT_NEAR(coarse.largest_lean, fine.largest_lean,
+                    0.2 * fine.largest_lean);  // the rider steers once a step
     }
 }
 
