@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Geoms become shapes, of convex solids without one triangles; one colour per body, static ones in stone;
+// Geoms become shapes, of convex solids without one and of surfaces triangles; one colour per body, static ones in stone;
 // joints become lines from anchor to body centres. Corners of triangles are shaded by the mean normal of
 // those there that face much the same way. Planes other than the floor z = h are not drawn: they have no end.
 #include "cli/picture.h"
@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <map>
 
+#include "record/watch/shapes.h"
 #include "scenes/extensions.h"
 #include "viewer/picture.h"
 
@@ -57,10 +58,26 @@ bool set_size(dGeomID geom, Shape& shape)
 
 using Point = std::array<float, 3>;
 
+bool is_surface(dGeomID geom)
+{
+    return dGeomGetClass(geom) == dHeightfieldClass || dGeomGetClass(geom) == dTriMeshClass;
+}
+
+// Nine numbers for each triangle.
+std::vector<dReal> surface_triangles(dGeomID geom)
+{
+    const record::Shape shape = record::shape_of(geom);
+    std::vector<dReal> out;
+    for (const auto& triangle : shape.triangles)
+        for (const std::uint32_t corner : triangle)
+            for (const double x : shape.vertices[corner]) out.push_back(dReal(x));
+    return out;
+}
+
 // The geom's triangles in its own frame, with their normals.
 std::vector<viewer::Triangle> solid_triangles(dGeomID geom)
 {
-    const std::vector<dReal> reals = scenes::triangles_of(geom);
+    const std::vector<dReal> reals = is_surface(geom) ? surface_triangles(geom) : scenes::triangles_of(geom);
     std::vector<viewer::Triangle> out(reals.size() / 9);
     std::map<Point, std::vector<Point>> normals_at;
     const auto place = [&](size_t t, size_t k) {
@@ -134,7 +151,7 @@ void add_shapes(const scenes::Scene& scene, Picture& picture)
         dBodyID body = dGeomGetBody(geom);
         Shape shape;
         shape.color = body ? viewer::body_color(number[body]) : viewer::kStone;
-        if (is_convex_beyond_odes(geom)) add_triangles(geom, shape.color, picture);
+        if (is_convex_beyond_odes(geom) || is_surface(geom)) add_triangles(geom, shape.color, picture);
         if (!set_size(geom, shape)) continue;
         viewer::set_pose(shape, dGeomGetPosition(geom), dGeomGetRotation(geom));
         picture.shapes.push_back(shape);

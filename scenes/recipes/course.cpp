@@ -17,7 +17,7 @@ constexpr int kStairs = 6;
 constexpr double kRise = 0.25, kTread = 0.35, kStairsAt = 3, kDeck = kStairs * kRise, kWidth = 5;
 constexpr double kStairsEnd = kStairsAt + kStairs * kTread, kSlopeAt = kStairsEnd + 2,
                  kSlopeEnd = kSlopeAt + 3.2;
-constexpr double kCrates = kSlopeEnd + 1.6, kLift = kCrates + 6, kLiftHalf = 1.2, kEnd = kLift + 7;
+constexpr double kCrates = kSlopeEnd + 1.6, kLift = kCrates + 8, kLiftHalf = 1.2, kEnd = kLift + 7;
 constexpr double kPeriod = 6, kPace = 2;
 
 void add_stairs(Scene& scene)
@@ -95,7 +95,7 @@ void build(Scene& scene)
         }
     });
     scene.tracked = {lift};
-    set_view(scene, {8.5, -13.5, 8}, {10.5, 0.5, 0.2});
+    set_view(scene, {15.5, -17, 9.5}, {13.2, 0.5, 0});
 }
 
 }  // namespace

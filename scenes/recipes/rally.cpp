@@ -58,8 +58,7 @@ void build(Scene& scene)
     scene.dials.push_back(
         {"steering", "", -1, 1, [car] { return car->steering; }, [car](double v) { car->steering = v; }});
     scene.tracked = {chassis};
-    set_view(scene, {start.x + 6.5, start.y - 5.5, start.z + 3.2},
-             {start.x - 0.5, start.y + 0.8, start.z - 0.2});
+    set_view(scene, {6.5, -5.5, 3.6}, {-0.5, 0.8, 0.4});
     scene.view.follow = chassis;
 }
 

@@ -52,6 +52,7 @@ void build(Scene& scene)
     attach_cylinder(scene, hull, 0.09, 2.2, {1.7, 0, 0.6}, turn(kY, kPi / 2));
     dVehicleSettings settings = vehicle_settings();
     settings.kind = dVehicleTracked, settings.differential = dDifferentialLocked, settings.final_ratio = 14;
+    settings.automatic = 0;  // it stays in first gear
     const auto tank = std::make_shared<Vehicle>(make_vehicle(scene, hull, settings, rollers()));
     scene.before_step([tank](double time, double dt) { patrol(*tank, time, dt); });
     scene.dials.push_back(
