@@ -84,7 +84,7 @@ def test_refusals_name_the_call(world):
     assert hero.max_force == 500 and hero.filter is None
 
 
-def test_it_crouches_and_stands_where_there_is_room(world):
+def test_it_crouches_and_stands_up_where_nothing_is_above(world):
     world.geom(epode.Box(2, 2, 0.1), position=(2, 0, 1.35))
     hero = world.character()
     assert hero.set_height(1.1) and hero.height == pytest.approx(1.1)

@@ -43,7 +43,7 @@ def test_a_car_drives_off_shifts_and_brakes(world):
     assert vehicle.speed == pytest.approx(0, abs=0.01)
 
 
-def test_wheels_tell_what_they_do(world):
+def test_wheels_report_what_they_do(world):
     vehicle = car(world)
     drive(vehicle, 2)
     assert vehicle.wheel_values("load") == pytest.approx(np.full(4, 300 * 9.81), rel=0.02)
@@ -123,7 +123,8 @@ def test_a_bike_leans_and_tracks_turn_on_the_spot(world):
                          differential=epode.Differential.LOCKED)
     for i in range(8):
         tank.add_wheel((1.5 - (i // 2), 1.1 if i % 2 == 0 else -1.1, -0.4), axle=i // 2, drive=1.0)
-    tank.control(throttle=1, steer=1)
+    tank.automatic = False
+    tank.control(throttle=0.5, steer=1)
     drive(tank, 3)
     assert tank.angular_velocity[2] > 0.2 and np.linalg.norm(tank.velocity) < 0.5
 
