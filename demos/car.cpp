@@ -109,7 +109,6 @@ static void judge()
 
 int main(int argc, char** argv)
 {
-    demo::Plan plan{{14, -16, 7}, {80, -18, 0}, 13, build, judge, drive, key};
-    plan.world_contacts = true;
-    return demo::run(argc, argv, plan);
+    return demo::run(argc, argv,
+                     {{14, -16, 7}, {80, -18, 0}, 13, build, judge, drive, key, nullptr, 2, true});
 }

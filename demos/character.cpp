@@ -75,7 +75,5 @@ static void judge()
 
 int main(int argc, char** argv)
 {
-    demo::Plan plan{{7, -11, 5}, {90, -20, 0}, 12, build, judge, step, key};
-    plan.world_contacts = true;
-    return demo::run(argc, argv, plan);
+    return demo::run(argc, argv, {{7, -11, 5}, {90, -20, 0}, 12, build, judge, step, key, nullptr, 2, true});
 }
