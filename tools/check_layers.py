@@ -29,6 +29,7 @@ MAY_INCLUDE = {
 }
 MAY_INCLUDE["characters"] = MAY_INCLUDE["query"] | {"query", "dynamics", "rows", "step"}
 MAY_INCLUDE["vehicles"] = MAY_INCLUDE["step"] | {"step"}
+MAY_INCLUDE["assemblies"] = MAY_INCLUDE["step"] | {"step"}
 MAY_INCLUDE["state"] = MAY_INCLUDE["step"] | {"step"}
 MAY_INCLUDE["diagnose"] = MAY_INCLUDE["step"] | {"step"}
 MAY_INCLUDE["api"] = MAY_INCLUDE["state"] | {"state", "diagnose"}

@@ -18,6 +18,7 @@
 #include <ode/fluid.h>
 #include <ode/impulses.h>
 #include <ode/queries.h>
+#include <ode/ragdoll.h>
 #include <ode/report.h>
 #include <ode/shapes.h>
 #include <ode/state.h>
