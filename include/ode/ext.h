@@ -20,6 +20,7 @@
 #include <ode/queries.h>
 #include <ode/ragdoll.h>
 #include <ode/report.h>
+#include <ode/rope.h>
 #include <ode/shapes.h>
 #include <ode/state.h>
 #include <ode/step_options.h>

@@ -58,6 +58,10 @@ struct dVehicleSettingsExt : public dVehicleSettings {
 struct dVehicleWheelExt : public dVehicleWheel {
     dVehicleWheelExt() { dVehicleWheelInit(this, sizeof(dVehicleWheel)); }
 };
+/** Settings of a rope with all defaults: dRopeSettingsInit. */
+struct dRopeSettingsExt : public dRopeSettings {
+    dRopeSettingsExt() { dRopeSettingsInit(this, sizeof(dRopeSettings)); }
+};
 /** Controls that do nothing, and know their size. */
 struct dVehicleControlsExt : public dVehicleControls {
     dVehicleControlsExt() : dVehicleControls() { struct_size = sizeof(dVehicleControls); }
@@ -296,6 +300,43 @@ class dVehicle : public dBodyExt {
     {
         return dVehicleGetWheelReport(get_id(), wheel, report);
     }
+};
+
+/** A figure of bones: dRagdollCreate. Its bodies are the world's: they live on when this ends. */
+class dRagdoll {
+  public:
+    /** Without bones there is no figure yet; the list, of count bones, must live as long as this. */
+    dRagdoll() : _bones(0), _count(0) {}
+
+    /** Build a figure, as dRagdollCreate does. Returns how many bones it has, or 0: what there was stays. */
+    int create(dWorldID world, dSpaceID space, const dBone* bones, int count, const dVector3 position = 0,
+               const dQuaternion orientation = 0)
+    {
+        const int made = dRagdollCreate(world, space, bones, count, position, orientation, _bodies);
+        if (made) _bones = bones, _count = made;
+        return made;
+    }
+
+    /** How many bones it has; the body of one, 0 where there is none. */
+    int getNumBones() const { return _count; }
+    dBodyID getBody(int i) const { return i >= 0 && i < _count ? _bodies[i] : 0; }
+
+    /** dRagdollSetPose, dRagdollGetPose, dRagdollFollow, dRagdollGetGap. */
+    int setPose(const dQuaternion* pose, dReal strength = 1)
+    {
+        return dRagdollSetPose(_bones, _bodies, _count, pose, strength);
+    }
+    int getPose(dQuaternion* pose) const { return dRagdollGetPose(_bones, _bodies, _count, pose); }
+    int follow(const dVector3 position, const dQuaternion* pose, dReal weight, dReal h)
+    {
+        return dRagdollFollow(_bones, _bodies, _count, position, pose, weight, h);
+    }
+    dReal getGap() const { return dRagdollGetGap(_bones, _bodies, _count); }
+
+  private:
+    const dBone* _bones;
+    int _count;
+    dBodyID _bodies[dRagdollMaxBones];
 };
 
 /** A joint of class Type, one of ode/odecpp_joints.h, with the additions of ode/drives.h. It is made by

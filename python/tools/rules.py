@@ -332,6 +332,8 @@ LEFT_OUT = {
     r"d(BoxBox|InfiniteAABB)": "helpers of colliders in C: dCollide does it",
     r"dGeomMoved|dBodyGetMovedCallback": "the library sees every move from Python",
     r"d(Init|Close|Cleanup|Allocate)ODE\w*": "done once when the module is imported",
+    r"dRagdoll\w+|dBonesMakeHuman": "ragdolls have no class in Python yet",
+    r"dRope\w+": "ropes have no class in Python yet",
 }
 
 # Arrays of fixed size that a function reads and writes.

@@ -32,9 +32,9 @@ const char* fault_of_bodies(const dBodyID* bodies, int count, bool reading)
     return !reading && is_busy(*world) ? busy_text(*world) : nullptr;
 }
 
-const char* fault_of_pose(const dQuaternion* pose, int count, int first)
+const char* fault_of_pose(const dQuaternion* pose, int count)
 {
-    for (int i = first; i < count; ++i) {
+    for (int i = 0; i < count; ++i) {
         Quat q = load_quat(pose[i]);
         if (!usable(pose[i], 4) || !normalize(q))
             return "orientation of a pose (accepted: of a length above 0)";
@@ -163,7 +163,7 @@ extern "C" int dRagdollSetPose(const dBone* bones, const dBodyID* bodies, int co
     const FloatEnvironment floats;
     EPODE_FIGURE(bones, bodies, count, false);
     EPODE_USER(pose, 0);
-    const char* const fault = fault_of_pose(pose, count, 1);
+    const char* const fault = fault_of_pose(pose, count);
     EPODE_USER_SAY(!fault, fault, 0);
     EPODE_USER_SAY(usable(strength) && strength >= 0 && strength <= Real(1e6),
                    "strength (accepted: 0 ... 1e6)", 0);
@@ -198,7 +198,7 @@ extern "C" int dRagdollFollow(const dBone* bones, const dBodyID* bodies, int cou
     const FloatEnvironment floats;
     EPODE_FIGURE(bones, bodies, count, false);
     EPODE_USER(position && usable(position, 3) && pose, 0);
-    const char* const fault = fault_of_pose(pose, count, 0);
+    const char* const fault = fault_of_pose(pose, count);
     EPODE_USER_SAY(!fault, fault, 0);
     EPODE_USER_SAY(usable(weight) && weight >= 0 && weight <= 1, "weight (accepted: 0 ... 1)", 0);
     EPODE_USER_SAY(usable(h) && h > 0 && h <= 1, "h (accepted: above 0, at most 1 s)", 0);

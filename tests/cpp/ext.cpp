@@ -344,6 +344,24 @@ void test_vehicles()
     judge("dVehicle::getWheelReport", car.getWheelReport(0, &at) == 1 && at.load > 0, Numbers());
 }
 
+void test_ragdolls()
+{
+    dWorldExt world;
+    dBone bones[16];
+    judge("dBonesMakeHuman", dBonesMakeHuman(bones, 16, REAL(1.8), 75) == 16, Numbers());
+    dRagdoll figure;
+    const dVector3 up = {0, 0, 5};
+    judge("dRagdoll::create", figure.create(world, 0, bones, 16, up) == 16, Numbers());
+    judge("dRagdoll::getNumBones", figure.getNumBones() == 16, Numbers());
+    judge("dRagdoll::getBody", figure.getBody(15) != 0 && figure.getBody(16) == 0, Numbers());
+    dQuaternion pose[16];
+    judge("dRagdoll::getPose", figure.getPose(pose) == 16 && pose[2][0] == 1, Numbers());
+    judge("dRagdoll::setPose", figure.setPose(pose) == 15, Numbers());
+    const dVector3 to = {0, 0, 7};
+    judge("dRagdoll::follow", figure.follow(to, pose, 1, 1) == 16, Numbers());
+    judge("dRagdoll::getGap", figure.getGap() < REAL(1e-5), Numbers());
+}
+
 void test_joints()
 {
     dWorldExt world;
@@ -540,6 +558,7 @@ int main()
     test_fluids();
     test_impulses();
     test_vehicles();
+    test_ragdolls();
     test_joints();
     test_coupling();
     test_body_and_geoms();

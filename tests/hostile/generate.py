@@ -49,6 +49,7 @@ KIND_OF_TYPE = {
     "dContactEvent*": "QueryHits", "dDiagnosis*": "QueryHits", "const dDiagnosis*": "QueryHits", "dWorldContact*": "QueryHits", "dEvent*": "QueryHits", "const dEventSettings*": "EventSettings", "dEventSettings*": "EventSettingsBuffer", "const dCharacterSettings*": "CharacterSettings", "dCharacterSettings*": "CharacterSettingsBuffer", "dCharacterReport*": "CharacterReport",
     "const dVehicleSettings*": "VehicleSettings", "dVehicleSettings*": "VehicleSettingsBuffer", "const dVehicleWheel*": "VehicleWheel", "dVehicleWheel*": "VehicleWheelBuffer",
     "const dVehicleControls*": "VehicleControls", "dVehicleControls*": "VehicleControlsBuffer", "dVehicleReport*": "VehicleReport", "dVehicleWheelReport*": "VehicleWheelReport",
+    "const dBone*": "Bones", "dBone*": "BoneBuffer", "const dQuaternion*": "Pose", "const dRopeSettings*": "RopeSettings", "dQuaternion*": "QueryHits",
     "dMaterial*": "Material",
     "const dMaterial*": "Material", "dDrive*": "DriveBuffer", "const dDrive*": "Drive", "const dQueryFilter*": "QueryFilter", "dContactFilter*": "ContactFilter",
     "const unsigned char*": "Bytes", "const short*": "Shorts", "const float*": "Floats",
@@ -70,9 +71,10 @@ MATRIX = (r"d(SetZero|SetValue|Dot|Multiply\d|FactorCholesky|SolveCholesky|Inver
 KIND_OF_PARAMETER = [
     (r"dPrintMatrix:fmt", "Format"),
     (r"dThreadingAllocateThreadPool:thread_count", "ThreadCount"),
-    (r"d(Material|QueryFilter|Drive|EventSettings|CharacterSettings|FluidSettings|VehicleSettings|VehicleWheel)Init:(material|filter|drive|settings|wheel)", "QueryHits"),
+    (r"d(Material|QueryFilter|Drive|EventSettings|CharacterSettings|FluidSettings|VehicleSettings|VehicleWheel|RopeSettings)Init:(material|filter|drive|settings|wheel)", "QueryHits"),
     (r"d(Diagnosis|Defaults)Text:text", "QueryHits"),
     (r"\w+:struct_size", "StructSize"),
+    (r"dRagdoll\w+:count", "Length"),
     (r"dWorldsStep:(count|steps)", "Length"),
     (r"dWorldsStep:threads", "ThreadCount"),
     (r"dWorldSetBehaviour:version", "Behaviour"),
@@ -126,7 +128,7 @@ KIND_OF_PARAMETER = [
 
 # Handles and pointers that may be null.
 MAY_BE_NULL = [
-    r"dCreate\w*:space", r"d\w+SpaceCreate:space", r"dJointCreate\w*:group", r"dJointAttach:body[12]",
+    r"dCreate\w*:space", r"dRagdollCreate:(space|position|orientation)", r"dRopeCreate:(space|first|last|settings|joints)", r"d\w+SpaceCreate:space", r"dJointCreate\w*:group", r"dJointAttach:body[12]",
     r"dGeomSetBody:body", r"dConnectingJoint(List)?:body[12]", r"dAreConnected(Excluding)?:(body2|arg2)",
     r"dGeomTransformSetGeom:obj", r"dCreateHeightfield:data", r"dGeomHeightfieldSetHeightfieldData:d",
     r"\w+:(data|pUserData)", r"dJointSetFeedback:feedback", r"dSet\w+Handler:fn", r"dSetColliderOverride:fn",

@@ -75,6 +75,7 @@ constexpr Integer kStructSizes[] = {{sizeof(dQueryFilter), "sizeof(dQueryFilter)
                                     {sizeof(dCharacterSettings), "sizeof(dCharacterSettings)"},
                                     {sizeof(dVehicleSettings), "sizeof(dVehicleSettings)"},
                                     {sizeof(dVehicleWheel), "sizeof(dVehicleWheel)"},
+                                    {sizeof(dRopeSettings), "sizeof(dRopeSettings)"},
                                     {sizeof(dQueryFilter) - 1, "sizeof(dQueryFilter)-1"},
                                     {0, "0"},
                                     {4, "4"},
@@ -279,6 +280,104 @@ inline const std::vector<Item<dCharacterSettings>>& character_settings()
         {with([](auto& s) { s.up[1] = kNaN; }), Trait::kNaN, "up NaN"},
         {with([](auto& s) { s.radius = kNaN; }), Trait::kNaN, "radius NaN"},
         {with([](auto& s) { s.air_acceleration = kNaN; }), Trait::kNaN, "air NaN"}};
+    return list;
+}
+
+// As many as the largest length; what is wrong is wrong in the first.
+struct BoneList {
+    dBone bones[8];
+};
+inline const std::vector<Item<BoneList>>& bone_lists()
+{
+    static const auto with = [](auto change) {
+        BoneList list{};
+        for (int i = 0; i < 8; ++i) {
+            dBone& bone = list.bones[i];
+            bone.parent = i - 1;
+            bone.size[0] = bone.size[1] = bone.size[2] = dReal(0.1);
+            bone.position[2] = dReal(0.3) * dReal(i);
+            bone.joint = i % 4;
+            bone.anchor[2] = dReal(0.3) * dReal(i) - dReal(0.15);
+            bone.axis[2] = bone.swing[0] = 1;
+            bone.stiffness = bone.damping = 1;
+        }
+        change(list.bones[0], list.bones[1]);
+        return list;
+    };
+    static const std::vector<Item<BoneList>> list = {
+        {with([](auto&, auto&) {}), Trait::kFine, "a chain"},
+        {with([](auto& b, auto&) { b.shape = dBoneSphere, b.size[1] = kNaN; }), Trait::kFine, "unused NaN"},
+        {with([](auto& b, auto&) { b.parent = 0; }), Trait::kBad, "its own parent"},
+        {with([](auto& b, auto&) { b.parent = INT_MIN; }), Trait::kBad, "parent INT_MIN"},
+        {with([](auto& b, auto&) { b.shape = 3; }), Trait::kBad, "shape 3"},
+        {with([](auto& b, auto&) { b.shape = INT_MIN; }), Trait::kBad, "shape INT_MIN"},
+        {with([](auto& b, auto&) { b.size[0] = 0; }), Trait::kBad, "size 0"},
+        {with([](auto& b, auto&) { b.mass = -1; }), Trait::kBad, "mass -1"},
+        {with([](auto& b, auto&) { b.density = -1; }), Trait::kBad, "density -1"},
+        {with([](auto&, auto& b) { b.parent = 1; }), Trait::kStrange, "the second is its own parent"},
+        {with([](auto&, auto& b) { b.joint = 4; }), Trait::kStrange, "joint 4"},
+        {with([](auto&, auto& b) { b.axis[2] = 0; }), Trait::kStrange, "no axis"},
+        {with([](auto&, auto& b) { b.joint = dBoneBall, b.low[1] = -2; }), Trait::kStrange, "wide"},
+        {with([](auto&, auto& b) { b.stiffness = kNaN; }), Trait::kStrange, "stiffness NaN"},
+        {with([](auto& b, auto&) { b.size[1] = kNaN; }), Trait::kNaN, "size NaN"},
+        {with([](auto& b, auto&) { b.position[0] = kNaN; }), Trait::kNaN, "position NaN"},
+        {with([](auto& b, auto&) { b.orientation[3] = kNaN; }), Trait::kNaN, "orientation NaN"}};
+    return list;
+}
+
+inline const std::vector<Item<dRopeSettings>>& rope_settings()
+{
+    static const auto with = [](auto change) {
+        dRopeSettings s;
+        dRopeSettingsInit(&s, sizeof s);
+        s.links = 3, s.length = 50;
+        change(s);
+        return s;
+    };
+    static const std::vector<Item<dRopeSettings>> list = {
+        {with([](auto&) {}), Trait::kFine, "three links"},
+        {with([](auto& s) { s.width = 1, s.ends = dRopeLoose; }), Trait::kFine, "planks"},
+        {with([](auto& s) { s.stretch = dReal(0.1), s.load = 10; }), Trait::kFine, "elastic"},
+        {with([](auto& s) { s.struct_size = 0; }), Trait::kBad, "struct_size 0"},
+        {with([](auto& s) { s.links = 0; }), Trait::kBad, "no links"},
+        {with([](auto& s) { s.links = INT_MAX; }), Trait::kBad, "links INT_MAX"},
+        {with([](auto& s) { s.length = -1; }), Trait::kBad, "length -1"},
+        {with([](auto& s) { s.mass = 0; }), Trait::kBad, "mass 0"},
+        {with([](auto& s) { s.radius = 10; }), Trait::kBad, "thick"},
+        {with([](auto& s) { s.ends = 4; }), Trait::kBad, "ends 4"},
+        {with([](auto& s) { s.width = s.stretch = 1; }), Trait::kBad, "elastic planks"},
+        {with([](auto& s) { s.load = 0; }), Trait::kBad, "load 0"},
+        {with([](auto& s) { s.links = 1, s.length = 0; }), Trait::kStrange, "one link"},
+        {with([](auto& s) { s.length = kNaN; }), Trait::kNaN, "length NaN"},
+        {with([](auto& s) { s.mass = kNaN; }), Trait::kNaN, "mass NaN"},
+        {with([](auto& s) { s.stretch = kNaN; }), Trait::kNaN, "stretch NaN"}};
+    return list;
+}
+
+struct BoneBuffer {
+    dBone bones[16];
+};
+inline const std::vector<Item<BoneBuffer>>& bone_buffers()
+{
+    static const std::vector<Item<BoneBuffer>> list = {{{}, Trait::kFine, "a buffer"}};
+    return list;
+}
+
+struct PoseList {
+    dQuaternion pose[8];
+};
+inline const std::vector<Item<PoseList>>& poses()
+{
+    static const auto with = [](dReal w, dReal x) {
+        PoseList list{};
+        for (dQuaternion& q : list.pose) q[0] = 1;
+        list.pose[0][0] = w, list.pose[0][1] = x;
+        return list;
+    };
+    static const std::vector<Item<PoseList>> list = {{with(1, 0), Trait::kFine, "straight"},
+                                                     {with(2, 5), Trait::kFine, "not of length 1"},
+                                                     {with(0, 0), Trait::kBad, "of length 0"},
+                                                     {with(kNaN, 0), Trait::kNaN, "NaN"}};
     return list;
 }
 

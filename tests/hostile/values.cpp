@@ -239,6 +239,14 @@ int Values::count(Kind kind)
             return int(reports<dVehicleReport>().size()) + 1;
         case Kind::kVehicleWheelReport:
             return int(reports<dVehicleWheelReport>().size()) + 1;
+        case Kind::kBones:
+            return int(bone_lists().size()) + 1;
+        case Kind::kBoneBuffer:
+            return int(bone_buffers().size()) + 1;
+        case Kind::kPose:
+            return int(poses().size()) + 1;
+        case Kind::kRopeSettings:
+            return int(rope_settings().size()) + 1;
         case Kind::kContact:
             return int(hostile::contacts().size()) + 1;
         case Kind::kGeomClass:
@@ -468,6 +476,14 @@ Value Values::memory(Kind kind, int index, int position)
             return item(reports<dVehicleReport>());
         case Kind::kVehicleWheelReport:
             return item(reports<dVehicleWheelReport>());
+        case Kind::kBones:
+            return item(bone_lists());
+        case Kind::kBoneBuffer:
+            return item(bone_buffers());
+        case Kind::kPose:
+            return item(poses());
+        case Kind::kRopeSettings:
+            return item(rope_settings());
         case Kind::kContact:
             return item(hostile::contacts());
         case Kind::kGeomClass:
