@@ -30,10 +30,12 @@ extern "C" {
     - bodies: those that dRagdollCreate has made, in the order of the bones.
     - pose: count orientations.
 
-    Refused: a world, space or body that is destroyed or 0, but for a space; null pointers; numbers that are
-    not finite; quaternions of length 0, but for dBone; bones with a field outside what it says; bodies of
-    several worlds; [dRagdollCreate, dRagdollSetPose, dRagdollFollow] a call during a step; what each function
-    names. Nothing changes then, and the answer is 0. */
+    Refused: null pointers; numbers that are not finite; bones with a field outside what it says; a count outside
+    1 ... dRagdollMaxBones; [dRagdollCreate] a world that is 0 or destroyed, a space that is destroyed;
+    [dRagdollSetPose, dRagdollGetPose, dRagdollFollow, dRagdollGetGap] a body that is 0 or destroyed, bodies of
+    several worlds; [dRagdollSetPose, dRagdollFollow] a pose with a quaternion of length 0; [dRagdollCreate,
+    dRagdollSetPose, dRagdollFollow] a call during a step; what each function names. Nothing changes then, and the
+    answer is 0. */
 
 /** How many bones a ragdoll may have. */
 enum { dRagdollMaxBones = 128 };
@@ -93,7 +95,7 @@ ODE_API int dRagdollCreate(dWorldID world, dSpaceID space, const dBone* bones, i
 
 /** - dRagdollSetPose: Let motors pull the figure to a pose, where it can with their stiffness, damping and
       strength, times strength, 0 or more, each: drives (dJointSetDrive), implicit, stable at any step. 0: limp.
-      The orientation of bone 0 does not count. A change wakes the figure. Returns how many joints have
+      What the pose says of bone 0 does not count. A change wakes the figure. Returns how many joints have
       motors.
     - dRagdollGetPose: Write the present pose to pose. Returns count. [ours] */
 ODE_API int dRagdollSetPose(const dBone* bones, const dBodyID* bodies, int count, const dQuaternion* pose,

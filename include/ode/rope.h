@@ -17,10 +17,10 @@ extern "C" {
     geoms and joints like any others: states, histories, clones and files have them. Neighbours do not collide
     with each other where the world manages contacts; all else does. docs/guide/howto/ropes.md explains.
 
-    Refused: a world, space or body that is destroyed or of another world; null pointers that may not be null; numbers that
-    are not finite; structures of a size below that of their first two fields or above this library's, or with
-    a field outside what it says; a call during a step; what each function names. Nothing changes then, and
-    the answer is 0. */
+    Refused: null pointers that may not be null; [dRopeSettingsInit, dRopeCreate] settings whose struct_size is below that
+    of their first two fields or above this library's; [dRopeCreate] settings with a field outside what it says, a world
+    that is 0 or destroyed, a space or a body that is destroyed or of another world, numbers that are not finite, a call
+    during a step; what each function names. Nothing changes then, and the answer is 0. */
 
 /** Ends of a rope that are fastened. */
 typedef enum {
@@ -45,8 +45,8 @@ typedef struct dRopeSettings {
     dReal load;    /**< N, above 0. 1000 */
 } dRopeSettings;
 
-/** Fills *settings with the default of every field and writes struct_size, which is sizeof(dRopeSettings), to
-    it: dRopeSettingsInit(&settings, sizeof settings). Returns 1. [ours] */
+/** Fills *settings with the default of every field and writes its struct_size, which is sizeof(dRopeSettings):
+    dRopeSettingsInit(&settings, sizeof settings). Returns 1. [ours] */
 ODE_API int dRopeSettingsInit(dRopeSettings* settings, unsigned struct_size);
 
 /** Lay a rope in the world from one point to another (m), its geoms in space, which may be 0; null settings

@@ -7,7 +7,7 @@
 //   sole to ankle 0.039, knee 0.285, hip 0.530, wrist 0.485, elbow 0.630, shoulder 0.818, chin 0.870
 //   masses: pelvis 0.142, abdomen 0.139, thorax 0.216, head and neck 0.081, upper arm 0.028, forearm 0.016,
 //   hand 0.006, thigh 0.100, shank 0.0465, foot 0.0145
-// Widths are such that parts that are no neighbours have room between them. Ranges and strengths are those of an
+// Widths are such that parts that are no neighbours do not touch. Ranges and strengths are those of an
 // adult, rounded; torques grow with mass times height.
 #include "assemblies/skeleton.h"
 #include "base/check.h"
