@@ -122,6 +122,14 @@ Vec3 kicked_spin(Body& body, Vec3 torque, Vec3 w, Real h)
     return R * W;
 }
 
+Vec3 spin_momentum(const Sym3& I, Vec3 W, Real h)
+{
+    Real s, slope;
+    tangent_scale(h * h * length2(W) / 4, s, slope);
+    const Vec3 IW = I * W;
+    return IW + (h / 2 * s) * cross(W, IW);
+}
+
 void advance_pose_exactly(Body& body, Real h, bool free)
 {
     Vec3 w = body.angular_velocity();

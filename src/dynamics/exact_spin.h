@@ -20,6 +20,9 @@ inline bool turns_exactly(const World& world, const Body& body)
 // constraints. Leaves the momentum that this velocity lacks in the body's excess.
 Vec3 kicked_spin(Body& body, Vec3 torque, Vec3 w, Real h);
 
+// The momentum in the world, about the centre, of a free body of inertia I (in the world, where it begins) that turns by exp(h W) in a step.
+Vec3 spin_momentum(const Sym3& I, Vec3 W, Real h);
+
 // advance_pose with the exponential map. The body's angular velocity is that of the middle of the step;
 // `free`: no constraint has acted on it, and it becomes that of the end.
 void advance_pose_exactly(Body& body, Real h, bool free);

@@ -31,6 +31,7 @@ bool TreeSolve::prepare(RowSystem& system, const JointTree& tree, Arena& arena)
     const int n = tree.dofs(), m = int(system.rows.size()), links = int(tree.links().size());
     u_ = arena.take<double>(n), z_ = arena.take<double>(n), solved_ = arena.take<double>(n);
     scratch_ = arena.take<Spatial>(links);
+    for (std::span<double>& spins : spins_) spins = arena.take<double>(n);
     if (arena.failed() || !factor_.prepare(tree, arena)) return false;
     factor_.assemble(tree, [&](const TreeLink& link) {
         const SolverBody& body = system.bodies[std::size_t(link.body)];
@@ -250,6 +251,54 @@ bool TreeSolve::solve_phases()
     return problem_.solve(scale_, kWanted, kPromised);
 }
 
+// With spins of links w = W z, the sum of traces of W^T S W.
+double TreeSolve::trace_of(std::span<const Sym3> swings)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < swings.size(); ++i) {
+        const Sym3& S = swings[i];
+        if (S.xx + S.yy + S.zz == 0) continue;
+        double G[3][3];  // W W^T of the link
+        for (int k = 0; k < 3; ++k) {
+            Vec3 unit;
+            unit.set(k, 1);
+            const std::span<double> to = spins_[std::size_t(k)];
+            std::fill(to.begin(), to.end(), 0);
+            add_chain(int(i), on_body(int(i), {}, unit), to);
+            factor_.to_factor_space(to);
+            for (int l = 0; l <= k; ++l)
+                G[k][l] = product(to.data(), spins_[std::size_t(l)].data(), to.size());
+        }
+        sum += double(S.xx) * G[0][0] + double(S.yy) * G[1][1] + double(S.zz) * G[2][2] +
+               2 * (double(S.xy) * G[1][0] + double(S.xz) * G[2][0] + double(S.yz) * G[2][1]);
+    }
+    return sum;
+}
+
+// By powers, from below.
+double TreeSolve::largest_of(std::span<const Sym3> swings)
+{
+    constexpr int kPowers = 10;
+    const std::span<double> x = spins_[0];
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] = k % 2 == 0 ? 1 : 0.5;
+    double size = std::sqrt(product(x.data(), x.data(), x.size())), largest = 0;
+    for (int power = 0; power < kPowers && size > 0; ++power) {
+        for (double& each : x) each /= size;
+        factor_.to_velocities(x);
+        tree_->velocities(x, scratch_);
+        for (std::size_t i = 0; i < scratch_.size(); ++i) scratch_[i] = {swings[i] * scratch_[i].ang, {}};
+        tree_->gather(scratch_, x);
+        factor_.to_factor_space(x);
+        size = largest = std::sqrt(product(x.data(), x.data(), x.size()));
+    }
+    return largest;
+}
+
+bool TreeSolve::resolves(std::span<const Sym3> swings, double largest)
+{
+    return trace_of(swings) <= largest || largest_of(swings) <= largest;
+}
+
 bool TreeSolve::solve(SolveReport& report)
 {
     if (!rows_.empty()) {
@@ -290,12 +339,6 @@ void TreeSolve::store_impulses()
             Real(rows_[std::size_t(i)].ratio * problem_.p()[std::size_t(i)]);
 }
 
-void TreeSolve::forget_corrections()
-{
-    std::copy(solved_.begin(), solved_.end(), u_.begin());
-    store_impulses();
-}
-
 void TreeSolve::add_yield_impulses(std::span<const double> before, std::span<const double> after)
 {
     for (const Yield& yield : yields_) {
@@ -324,8 +367,12 @@ bool TreeSolve::prepare_corrections(Arena& arena)
     for (int i = 0; i < int(rows_.size()); ++i)
         if (problem_.acts(i)) acting_[std::size_t(acting_count_++)] = i;
     const int n = acting_count_;
-    acting_factor_ = arena.take<double>(n * n), dp_ = arena.take<double>(n);
+    const int all = int(u_.size()) + n;
+    acting_factor_ = arena.take<double>(n * n);
     corrected_ = arena.take_zeroed<double>(int(u_.size()));
+    correction_ = arena.take<double>(all), step_ = arena.take<double>(all), history_ = 0;
+    for (int i = 0; i < kHistory; ++i)
+        steps_[i] = arena.take<double>(all), changes_[i] = arena.take<double>(all);
     if (arena.failed()) return false;
     double* const L = acting_factor_.data();
     for (int i = 0; i < n; ++i) {
@@ -342,33 +389,82 @@ bool TreeSolve::prepare_corrections(Arena& arena)
     return true;
 }
 
-bool TreeSolve::correct(std::span<double> r)
+// To correction_: z, then dp of the rows that act.
+void TreeSolve::find_correction(std::span<double> r)
 {
     const int n = acting_count_;
     const double* const L = acting_factor_.data();
+    double* const dp = correction_.data() + r.size();
     factor_.to_factor_space(r);
     for (std::size_t k = 0; k < r.size(); ++k) r[k] += corrected_[k];
     for (int i = 0; i < n; ++i) {
         const double w = product(y(acting_[std::size_t(i)]), r.data(), r.size());
-        dp_[std::size_t(i)] = (-w - product(L + i * n, dp_.data(), std::size_t(i))) / L[i * n + i];
+        dp[i] = (-w - product(L + i * n, dp, std::size_t(i))) / L[i * n + i];
     }
     for (int i = n; i-- > 0;) {
-        double sum = dp_[std::size_t(i)];
-        for (int k = i + 1; k < n; ++k) sum -= L[k * n + i] * dp_[std::size_t(k)];
-        dp_[std::size_t(i)] = sum / L[i * n + i];
+        double sum = dp[i];
+        for (int k = i + 1; k < n; ++k) sum -= L[k * n + i] * dp[k];
+        dp[i] = sum / L[i * n + i];
     }
     for (int i = 0; i < n; ++i) {
-        const TreeRow& row = rows_[std::size_t(acting_[std::size_t(i)])];
         const double* const its = y(acting_[std::size_t(i)]);
-        for (std::size_t k = 0; k < r.size(); ++k) {
-            r[k] += dp_[std::size_t(i)] * its[k];
-            corrected_[k] += dp_[std::size_t(i)] * its[k];
-        }
-        system_->numbers[std::size_t(row.source)].p += Real(row.ratio * dp_[std::size_t(i)]);
+        for (std::size_t k = 0; k < r.size(); ++k) r[k] += dp[i] * its[k];
     }
+    std::copy(r.begin(), r.end(), correction_.begin());
+}
+
+// Anderson's: with f the correction and x what is corrected, the step f - sum g (dx + df) with the g that make f - sum g df least, in z,
+// the metric of energy.
+void TreeSolve::extrapolate()
+{
+    const std::size_t n = u_.size(), all = correction_.size();
+    std::copy(correction_.begin(), correction_.end(), step_.begin());
+    if (history_ == 0) return;
+    const auto of_z = [&](std::span<const double> a, std::span<const double> b) {
+        return product(a.data(), b.data(), n);
+    };
+    const std::span<double> a = changes_[0], b = changes_[1];
+    double g = 0, k = 0;
+    const double aa = of_z(a, a), af = of_z(a, correction_);
+    if (history_ == 1) {
+        if (aa > 0) g = af / aa;
+    } else {
+        const double bb = of_z(b, b), ab = of_z(a, b), bf = of_z(b, correction_), det = aa * bb - ab * ab;
+        constexpr double kIndependent = 1e-8;
+        if (det > kIndependent * aa * bb)
+            g = (af * bb - bf * ab) / det, k = (bf * aa - af * ab) / det;
+        else if (aa > 0)
+            g = af / aa;
+    }
+    for (std::size_t i = 0; i < all; ++i) step_[i] -= g * (steps_[0][i] + a[i]);
+    if (k != 0)
+        for (std::size_t i = 0; i < all; ++i) step_[i] -= k * (steps_[1][i] + b[i]);
+}
+
+double TreeSolve::correct(std::span<double> r)
+{
+    const std::size_t n = r.size();
+    // changes_[0] still holds the last correction; it becomes the change since then.
+    find_correction(r);
+    if (history_ > 0)
+        for (std::size_t i = 0; i < correction_.size(); ++i) changes_[0][i] = correction_[i] - changes_[0][i];
+    extrapolate();
+    std::swap(steps_[0], steps_[1]), std::swap(changes_[0], changes_[1]);
+    std::copy(step_.begin(), step_.end(), steps_[0].begin());
+    std::copy(correction_.begin(), correction_.end(), changes_[0].begin());
+    history_ = std::min(history_ + 1, kHistory);
+    for (int i = 0; i < acting_count_; ++i) {
+        const TreeRow& row = rows_[std::size_t(acting_[std::size_t(i)])];
+        const double dp = step_[n + std::size_t(i)];
+        const double* const its = y(acting_[std::size_t(i)]);
+        for (std::size_t k = 0; k < n; ++k) corrected_[k] += dp * its[k];
+        system_->numbers[std::size_t(row.source)].p += Real(row.ratio * dp);
+    }
+    std::copy(step_.begin(), step_.begin() + std::ptrdiff_t(n), r.begin());
     factor_.to_velocities(r);
-    for (std::size_t k = 0; k < r.size(); ++k) u_[k] += r[k];
-    return true;
+    double largest = 0;
+    for (std::size_t k = 0; k < n; ++k) u_[k] += r[k], largest = std::max(largest, std::fabs(r[k]));
+    return largest;
 }
 
 void TreeSolve::add_yield(std::span<double> r) const

@@ -27,6 +27,10 @@ class TreeSolve {
     bool prepare(RowSystem& system, const JointTree& tree, Arena& arena);
     bool fits() const { return fits_; }  // false: there are too many rows
 
+    // Is no eigenvalue of H^-1 T^T S T above that one? S, of links: what a step adds to moments of inertia, which moves no centre. Behind
+    // prepare().
+    bool resolves(std::span<const Sym3> swings, double largest);
+
     // The answer's p of rows but not those of joints, and u. False: it was not found, and nothing has changed.
     bool solve(SolveReport& report);
 
@@ -40,14 +44,12 @@ class TreeSolve {
     // v = T u to the bodies.
     void store_velocities();
 
-    // With the rows that act kept as they move, J du + C dp = 0: u += du of H du = r + sum j dp, and dp to their p. `r` is destroyed.
-    // False: rows contradict each other.
-    bool prepare_corrections(Arena& arena);
-    bool correct(std::span<double> r);
+    // With the rows that act kept as they move, J du + C dp = 0: u += du of H du = r + sum j dp, and dp to their p, by an iteration
+    // that is extrapolated from the last ones. `r` is destroyed. Returns the largest du.
+    bool prepare_corrections(Arena& arena);  // false: rows contradict each other, or out of memory
+    double correct(std::span<double> r);
     // r -= j (j . (u - u of the solution)) / C of the rows that yield.
     void add_yield(std::span<double> r) const;
-    // Takes all corrections back.
-    void forget_corrections();
     // Impulses of the rows that yield at the present u; and what is added to them where rates of dofs change once more.
     void store_yield();
     void add_yield_impulses(std::span<const double> before, std::span<const double> after);
@@ -95,6 +97,12 @@ class TreeSolve {
     bool solve_phases();
     void bind_parents();
     void store_impulses();
+    double trace_of(std::span<const Sym3> swings);
+    double largest_of(std::span<const Sym3> swings);
+    void find_correction(std::span<double> r);
+    void extrapolate();
+
+    static constexpr int kHistory = 2;
 
     RowSystem* system_ = nullptr;
     const JointTree* tree_ = nullptr;
@@ -103,7 +111,11 @@ class TreeSolve {
     std::span<TreeRow> rows_;
     std::span<Yield> yields_;
     std::span<int> row_of_source_;
-    std::span<double> u_, z_, solved_, Y_, acting_factor_, dp_, corrected_;  // corrected_: sum of y dp
+    std::span<double> u_, z_, solved_, Y_, acting_factor_, corrected_;  // corrected_: sum of y dp
+    // Corrections z and p before and after extrapolation, the last one first, and their changes.
+    std::span<double> correction_, step_, steps_[kHistory], changes_[kHistory];
+    int history_ = 0;
+    std::span<double> spins_[3];
     std::span<int> acting_;
     std::span<Spatial> scratch_;
     int acting_count_ = 0;

@@ -28,7 +28,10 @@ bool solve_stops_exactly(RowSystem& system, const World&, const Tasks& tasks, Ar
     return solve_exactly(system, {.tasks = tasks}, arena, report);
 }
 
-ProblemForm form_in(const World& world) { return {.inertia = true, .coulomb = world.friction_cone}; }
+ProblemForm form_in(const World& world, bool in_tree = false)
+{
+    return {.inertia = true, .coulomb = world.friction_cone, .keeps_momentum = in_tree};
+}
 
 ExactSettings settings_for(const IslandRun& run)
 {
@@ -86,21 +89,25 @@ Outcome step_once(IslandRun& run)
 {
     IslandWork& work = run.work;
     const bool projects = projects_poses(run), may_move = run.context.correction == 1;
-    if (!run.begin(form_in(run.world), run.context.h)) return Outcome::kNoMemory;
-    if (!run.raise_inertias(work.system.h, kResolvedExactly)) return Outcome::kNoMemory;
+    const bool in_tree = may_be_tree(run);
+    if (!run.begin(form_in(run.world, in_tree), run.context.h)) return Outcome::kNoMemory;
     if (projects) leave_depth_to_projection(run.world, work);
     const bool closes_stops = !projects && may_move && leave_stops_to_poses(run.world, work.system);
     load_warm_start(run, {});
-    if (!closes_stops) switch (step_in_tree(run)) {
-            case TreeOutcome::kMade:
-                return Outcome::kMade;
-            case TreeOutcome::kRefused:
-                return Outcome::kRefused;
-            case TreeOutcome::kNoMemory:
-                return Outcome::kNoMemory;
-            case TreeOutcome::kNotInTree:
-                break;
-        }
+    if (in_tree) {
+        if (!closes_stops) switch (step_in_tree(run)) {
+                case TreeOutcome::kMade:
+                    return Outcome::kMade;
+                case TreeOutcome::kRefused:
+                    return Outcome::kRefused;
+                case TreeOutcome::kNoMemory:
+                    return Outcome::kNoMemory;
+                case TreeOutcome::kNotInTree:
+                    break;
+            }
+        load_all_pushed(run.world, run.context.h, work);
+    }
+    if (!run.raise_inertias(work.system.h, kResolvedExactly)) return Outcome::kNoMemory;
     const bool solved = solve_in_budget(run);
     if (run.arena.failed()) return Outcome::kNoMemory;
     if (run.solved.gave_up) return Outcome::kGaveUp;

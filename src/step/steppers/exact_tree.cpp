@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 #include "step/steppers/exact_tree.h"
 
+#include "step/island/positions/tension.h"
 #include "step/island/report.h"
 #include "step/island/tree/tree_motion.h"
 #include "step/island/warm_start.h"
@@ -46,13 +47,6 @@ class TreeRun {
     explicit TreeRun(IslandRun& run) : run_(run), work_(run.work), system_(run.work.system), arena_(run.arena)
     {}
 
-    bool is_wanted() const
-    {
-        return run_.world.joint_coordinates && !run_.world.acts_as_ode() && !run_.has_parts() &&
-               system_.joint_contacts.manifolds.empty() && system_.contact_manifolds.empty() &&
-               !work_.joints.empty();
-    }
-
     TreeOutcome step()
     {
         Arena::Scope scope(arena_);
@@ -62,11 +56,14 @@ class TreeRun {
         for (std::size_t i = 0; i < centres.size(); ++i) centres[i] = work_.island.bodies[i]->position();
         if (!tree_.build(system_, centres, kinds_, arena_)) return TreeOutcome::kNoMemory;
         if (!tree_.is_tree()) return TreeOutcome::kNotInTree;
+        if (!motion_.begin(run_.world, work_, tree_, solve_, arena_)) return TreeOutcome::kNoMemory;
+        if (motion_.is_too_long()) return TreeOutcome::kNotInTree;
         if (!solve_.prepare(system_, tree_, arena_)) return TreeOutcome::kNoMemory;
         if (!solve_.fits()) return TreeOutcome::kNotInTree;
-        if (!motion_.begin(run_.world, work_, tree_, solve_, arena_)) return TreeOutcome::kNoMemory;
+        if (!resolves_swings()) return failed(TreeOutcome::kNotInTree);
         SolveReport report;
         if (!solve_.solve(report)) return TreeOutcome::kNotInTree;
+        if (!motion_.find_way()) return failed(TreeOutcome::kNotInTree);
         report.method = dIslandMethodJointCoordinates;
         run_.solved = report;
         return finish();
@@ -78,10 +75,27 @@ class TreeRun {
         return arena_.failed() ? TreeOutcome::kNoMemory : otherwise;
     }
 
+    // Does the step follow light links under tension (positions/tension.h)? What they turn with counts.
+    bool resolves_swings()
+    {
+        Arena::Scope scope(arena_);
+        const std::span<const Swing> swings = find_swings(work_, system_.h, arena_);
+        if (swings.empty()) return !arena_.failed();
+        const auto of_links = arena_.take<Sym3>(int(tree_.links().size()));
+        if (arena_.failed()) return false;
+        for (std::size_t i = 0; i < of_links.size(); ++i) {
+            const Swing& swing = swings[std::size_t(tree_.link(int(i)).body)];
+            of_links[i] = swing.is_link() ? swing.S : Sym3{};
+        }
+        return solve_.resolves(of_links, double(kResolvedExactly));
+    }
+
     bool choose_kinds()
     {
-        for (const Body* body : work_.island.bodies)
+        for (const Body* body : work_.island.bodies) {
             if (body->max_angular_speed < kInf || !(body->finite_axis == Vec3{})) return false;
+            if (!body->gyroscopic && !isotropic(body->inertia)) return false;
+        }
         kinds_ = arena_.take<LinkJoint>(int(work_.joints.size()));
         if (arena_.failed()) return false;
         bool any = false;
@@ -111,12 +125,11 @@ class TreeRun {
 
     TreeOutcome finish()
     {
-        if (!motion_.advance(run_.raised > 0)) return TreeOutcome::kNoMemory;
+        motion_.advance();
         ProjectionReport projected;
         if (run_.world.projection_iterations > 0) run_.correct_poses([&] { projected = motion_.project(); });
         if (!motion_.settle_velocities()) return TreeOutcome::kNoMemory;
         run_.report_solution();
-        run_.report_raised();
         if (!run_.is_sound()) return TreeOutcome::kRefused;
         run_.add_solution_to_ledger(false);
         write_back(work_, run_.tasks);
@@ -141,10 +154,18 @@ class TreeRun {
 
 }  // namespace
 
+bool may_be_tree(const IslandRun& run)
+{
+    return run.world.joint_coordinates && !run.world.acts_as_ode() && !run.work.island.joints.empty();
+}
+
 TreeOutcome step_in_tree(IslandRun& run)
 {
-    TreeRun tree(run);
-    return tree.is_wanted() ? tree.step() : TreeOutcome::kNotInTree;
+    const RowSystem& system = run.work.system;
+    if (run.has_parts() || !system.joint_contacts.manifolds.empty() || !system.contact_manifolds.empty() ||
+        run.work.joints.empty())
+        return TreeOutcome::kNotInTree;
+    return TreeRun(run).step();
 }
 
 }  // namespace epode

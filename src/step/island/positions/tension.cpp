@@ -94,13 +94,6 @@ Real raise(const Body& body, SolverBody& out, const Sym3& S, Real resolved)
     return k;
 }
 
-// Of a body, with the number of joints that load it: one at the end of an arm swings about its joint, with the
-// inertia m r^2 that its mass has there, and is no link.
-struct Swing {
-    Sym3 S;
-    int loads;
-};
-
 // Sums S of the bodies, which are made when the first joint needs them.
 class Swings {
   public:
@@ -154,10 +147,8 @@ void calm(const IslandWork& work, std::span<SolverBody> bodies, std::span<Raised
 
 }  // namespace
 
-int add_tension(const IslandWork& work, std::span<SolverBody> bodies, Real h, Real resolved, Arena& arena,
-                std::span<bool> marks)
+std::span<const Swing> find_swings(const IslandWork& work, Real h, Arena& arena)
 {
-    Arena::Scope scope(arena);
     Swings swings(work, h, arena);
     for (std::size_t k = 0; k < work.joints.size(); ++k) {
         const RowBlock& block = work.system.blocks[k];
@@ -168,13 +159,21 @@ int add_tension(const IslandWork& work, std::span<SolverBody> bodies, Real h, Re
         swings.add(block.body1, load, load.r1);
         swings.add(block.body2, load, load.r2);
     }
-    if (swings.sums().empty()) return 0;
+    return swings.sums();
+}
+
+int add_tension(const IslandWork& work, std::span<SolverBody> bodies, Real h, Real resolved, Arena& arena,
+                std::span<bool> marks)
+{
+    Arena::Scope scope(arena);
+    const std::span<const Swing> swings = find_swings(work, h, arena);
+    if (swings.empty()) return 0;
     const std::span<Raised> raised = arena.take_zeroed<Raised>(int(bodies.size()));
     if (raised.empty()) return 0;
     int count = 0;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const Swing& swing = swings.sums()[i];
-        raised[i].k = swing.loads > 1 ? raise(*work.island.bodies[i], bodies[i], swing.S, resolved) : 0;
+        const Swing& swing = swings[i];
+        raised[i].k = swing.is_link() ? raise(*work.island.bodies[i], bodies[i], swing.S, resolved) : 0;
         if (!(raised[i].k > 0)) continue;
         ++count;
         if (!marks.empty()) marks[i] = true;

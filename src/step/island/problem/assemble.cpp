@@ -245,11 +245,28 @@ void load_pushed_exactly(Body& body, Real h, SolverBody& out)
     out.w = kicked_spin(body, load(body.tacc), body.angular_velocity(), h);
 }
 
+void load_all_pushed(const World& world, Real h, IslandWork& work)
+{
+    for (std::size_t i = 0; i < work.island.bodies.size(); ++i) {
+        Body& body = *work.island.bodies[i];
+        turns_exactly(world, body) ? load_pushed_exactly(body, h, work.system.bodies[i])
+                                   : load_pushed(body, h, work.system.bodies[i]);
+    }
+}
+
 namespace {
+
+void load_momentum(const Body& body, Real h, SolverBody& out)
+{
+    const Vec3 pushed = h * load(body.tacc) + body.rotation() * body.spin_excess;
+    out.v = body.velocity() + (h * out.inv_mass) * load(body.facc);
+    out.w = body.angular_velocity() + out.inv_inertia * pushed;
+}
 
 void load_body(const World& world, Real h, const ProblemForm& form, Body& body, SolverBody& out)
 {
     form.inertia ? load_mass_and_inertias(body, out) : load_inertia(body, out);
+    if (form.keeps_momentum) return load_momentum(body, h, out);
     if (!form.has_substeps)
         return turns_exactly(world, body) ? load_pushed_exactly(body, h, out) : load_pushed(body, h, out);
     load_velocity(body, out);

@@ -31,9 +31,10 @@ struct ProblemForm {
     bool contact_manifolds = false;  // world-managed contacts stay manifolds, else they become rows
     bool cones = false;              // friction may be bounded by an ellipse
     bool inertia = false;            // SolverBody::mass and inertia, not only their inverses
-    bool coulomb = false;       // friction is bounded by its present normal impulse (solve/exact/coulomb.h)
-    bool keeps_depth = false;   // islands that settle keep a depth of contacts
-    bool has_substeps = false;  // bodies begin with their present velocities; forces follow in substeps
+    bool coulomb = false;         // friction is bounded by its present normal impulse (solve/exact/coulomb.h)
+    bool keeps_depth = false;     // islands that settle keep a depth of contacts
+    bool keeps_momentum = false;  // v* without gyroscopic effects: M v* is the momentum after all forces
+    bool has_substeps = false;    // bodies begin with their present velocities; forces follow in substeps
 };
 
 StepInfo step_info(const World& world, Real h);
@@ -55,5 +56,7 @@ void load_velocity(const Body& body, SolverBody& out);
 // The present velocity with h M^-1 (accumulated + gyroscopic) on top; behind the inertia.
 void load_pushed(const Body& body, Real h, SolverBody& out);
 void load_pushed_exactly(Body& body, Real h, SolverBody& out);  // with exact rotation
+// v* of an island that was assembled with keeps_momentum, as they are without.
+void load_all_pushed(const World& world, Real h, IslandWork& work);
 
 }  // namespace epode

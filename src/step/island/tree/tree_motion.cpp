@@ -5,16 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/exact_spin.h"
 #include "step/island/positions/free_momentum.h"
 #include "step/island/positions/position_rows.h"
 
 namespace epode {
 namespace {
 
-constexpr int kMaxIterations = 8;
-constexpr double kEnough = 1e-7;           // rad and m, of a correction of the displacement
-constexpr Real kLongestTurn = Real(0.02);  // opening relative to the lever, about (w h)^2/2
-constexpr double kLongest = 0.5;           // times the last correction, that the next one must not exceed
+constexpr Real kLongestTurn = 2;  // rad in a step, up to which the turn of a free flight is exact
+constexpr int kMaxIterations = 24;
+constexpr double kEnough = kSingle ? 1e-6 : 1e-10;  // rad and m, of a correction that is left out
+constexpr double kSlow = 0.9;                       // times the last correction: it converges no more
 
 }  // namespace
 
@@ -23,94 +24,78 @@ bool TreeMotion::begin(const World& world, IslandWork& work, JointTree& tree, Tr
     world_ = &world, work_ = &work, tree_ = &tree, solve_ = &solve, arena_ = &arena;
     size_ = tree.links().size();
     const int links = int(size_), n = tree.dofs();
-    before_ = arena.take<Spatial>(links), path_ = arena.take<Spatial>(links);
+    before_ = arena.take<Spatial>(links), bias_ = arena.take<Spatial>(links);
+    path_ = arena.take<Spatial>(links), momenta_ = arena.take<Spatial>(links);
     scratch_ = arena.take<Spatial>(links), impulses_ = arena.take<Spatial>(links);
     momentum_ = arena.take<double>(n), r_ = arena.take<double>(n), dq_ = arena.take<double>(n);
     if (arena.failed() || !poses_.begin(work, tree, arena)) return false;
-    for (std::size_t i = 0; i < size_; ++i) before_[i] = {solver_body(i).w, solver_body(i).v};
-    return true;
-}
-
-void TreeMotion::measure_path()
-{
-    const double h = double(work_->system.h);
-    for (std::size_t k = 0; k < dq_.size(); ++k) dq_[k] = h * solve_->u()[k];
-    poses_.go(dq_);
-    for (std::size_t i = 0; i < size_; ++i) path_[i] = (1 / work_->system.h) * poses_.displacement(int(i));
-}
-
-// T^T M v
-void TreeMotion::gather_momentum(std::span<const Spatial> velocities, std::span<double> out)
-{
+    find_rates(r_);
+    measure_momenta(r_);
+    tree.velocities(r_, scratch_);
     for (std::size_t i = 0; i < size_; ++i) {
-        const SolverBody& b = solver_body(i);
-        scratch_[i] = {b.inertia * velocities[i].ang, b.mass * velocities[i].lin};
+        SolverBody& b = solver_body(i);
+        before_[i] = {b.inertia * b.w, b.mass * b.v};
+        bias_[i] = momenta_[i] - Spatial{b.inertia * scratch_[i].ang, b.mass * scratch_[i].lin};
+        b.v -= b.inv_mass * bias_[i].lin, b.w -= b.inv_inertia * bias_[i].ang;
     }
-    tree_->gather(scratch_, out);
-}
-
-bool TreeMotion::advance(bool is_raised)
-{
-    solve_->store_velocities();
-    for (std::size_t i = 0; i < size_; ++i) path_[i] = {solver_body(i).w, solver_body(i).v};
-    gather_momentum(path_, momentum_);
-    measure_path();
-    const bool corrects = solve_->prepare_corrections(*arena_);
-    if (arena_->failed()) return false;
-    if (!is_raised && !is_too_long() && corrects && iterate()) {
-        keep_momentum();
-        for (std::size_t i = 0; i < size_; ++i)
-            solver_body(i).w = path_[i].ang, solver_body(i).v = path_[i].lin;
-    } else {
-        fly();
-    }
-    solve_->store_yield();
-    find_joint_impulses();
-    store_poses();
     return true;
 }
 
-// A link's end would open by more than that share of its lever if bodies flew h v.
-bool TreeMotion::is_too_long() const
+Spatial TreeMotion::momentum_of(std::size_t link, const Spatial& v) const
+{
+    const SolverBody& b = solver_body(link);
+    return {spin_momentum(b.inertia, v.ang, work_->system.h), b.mass * v.lin};
+}
+
+void TreeMotion::measure_momenta(std::span<const double> u)
 {
     const Real h = work_->system.h;
-    Real largest = 0;
-    for (std::size_t i = 0; i < size_; ++i)
-        if (tree_->link(int(i)).joint != LinkJoint::kFree || tree_->links().size() > 1)
-            largest = std::max(largest, length2(solver_body(i).w));
-    return h * h * largest / 2 > kLongestTurn;
+    too_long_ = false;
+    for (std::size_t k = 0; k < dq_.size(); ++k) dq_[k] = double(h) * u[k];
+    poses_.go(dq_);
+    for (std::size_t i = 0; i < size_; ++i) {
+        const Spatial way = poses_.displacement(int(i));
+        too_long_ |= !(length2(way.ang) < kLongestTurn * kLongestTurn);
+        path_[i] = (1 / h) * way;
+        momenta_[i] = momentum_of(i, path_[i]);
+    }
 }
 
-// The velocities of the solution, of which the next step takes what does not fit its poses: the step is too long for the motion.
-void TreeMotion::fly()
+bool TreeMotion::find_way()
 {
-    solve_->forget_corrections();
-    measure_path();
-    for (std::size_t i = 0; i < size_; ++i)
-        store(body(i).lvel, solver_body(i).v), store(body(i).avel, solver_body(i).w);
-    const FreeMomentum momentum(*work_);
-    store_poses();
-    momentum.restore();
-}
-
-// False: it does not converge.
-bool TreeMotion::iterate()
-{
+    tree_->velocities(solve_->u(), scratch_);
+    for (std::size_t i = 0; i < size_; ++i) {
+        const SolverBody& b = solver_body(i);
+        scratch_[i] = bias_[i] + Spatial{b.inertia * scratch_[i].ang, b.mass * scratch_[i].lin};
+    }
+    tree_->gather(scratch_, momentum_);
+    if (!solve_->prepare_corrections(*arena_)) return false;
     double last = double(kInf);
     for (int pass = 0; pass < kMaxIterations; ++pass) {
-        gather_momentum(path_, r_);
+        measure_momenta(solve_->u());
+        if (too_long_) return false;
+        std::copy(momenta_.begin(), momenta_.end(), scratch_.begin());
+        tree_->gather(scratch_, r_);
         for (std::size_t k = 0; k < r_.size(); ++k) r_[k] = momentum_[k] - r_[k];
         solve_->add_yield(r_);
-        solve_->correct(r_);
-        measure_path();
-        double largest = 0;
-        for (const double du : r_) largest = std::max(largest, std::fabs(du));
-        const double now = largest * double(work_->system.h);
-        if (now <= kEnough) return true;
-        if (now > kLongest * last) return false;
+        const double now = solve_->correct(r_) * double(work_->system.h);
+        const double next = pass == 0 ? now : now * std::min(now / last, 1.0);
+        if (next <= kEnough) break;
+        if (pass > 3 && now > kSlow * last) return false;
         last = now;
     }
-    return true;
+    measure_momenta(solve_->u());
+    solve_->store_yield();
+    keep_momentum();
+    find_joint_impulses();
+    for (std::size_t i = 0; i < size_; ++i) solver_body(i).v = path_[i].lin, solver_body(i).w = path_[i].ang;
+    return !too_long_;
+}
+
+void TreeMotion::advance()
+{
+    poses_.go_and_close(dq_);
+    store_poses();
 }
 
 // Of free trees on nothing: what the iteration has left of it.
@@ -118,21 +103,21 @@ void TreeMotion::keep_momentum()
 {
     const auto is_inner = [](const RowBlock& b) { return !b.contact && b.term_count == 0 && b.body2 >= 0; };
     if (!std::all_of(work_->system.blocks.begin(), work_->system.blocks.end(), is_inner)) return;
-    const Real h = work_->system.h;
     for (std::size_t root = 0; root < size_; ++root) {
-        if (tree_->link(int(root)).joint != LinkJoint::kFree) continue;
+        const TreeLink& its = tree_->link(int(root));
+        if (its.joint != LinkJoint::kFree) continue;
         Real mass = 0;
         Vec3 lost;
         const auto for_its = [&](auto&& use) {
             for (std::size_t i = root; i < size_; ++i)
                 if (tree_->link(int(i)).root == int(root)) use(i);
         };
-        for_its([&](std::size_t i) {
-            mass += solver_body(i).mass, lost += solver_body(i).mass * (solver_body(i).v - path_[i].lin);
-        });
+        for_its(
+            [&](std::size_t i) { mass += solver_body(i).mass, lost += before_[i].lin - momenta_[i].lin; });
         const Vec3 dv = (1 / mass) * lost;
-        for_its([&](std::size_t i) { path_[i].lin += dv, poses_.shift(int(i), h * dv); });
-        solve_->add_to_root(tree_->link(int(root)), dv);
+        for_its([&](std::size_t i) { momenta_[i].lin += solver_body(i).mass * dv, path_[i].lin += dv; });
+        for (int i = 0; i < 3; ++i) dq_[std::size_t(its.first + i)] += double(work_->system.h * dv[i]);
+        solve_->add_to_root(its, dv);
     }
 }
 
@@ -141,7 +126,7 @@ void TreeMotion::store_poses() const
     for (std::size_t i = 0; i < size_; ++i) {
         Body& b = body(i);
         store(b.pos, poses_.position(int(i))), store_quat(b.q, poses_.orientation(int(i)));
-        store_mat(b.R, poses_.rotation(int(i)));
+        store_mat(b.R, to_matrix(poses_.orientation(int(i))));
     }
 }
 
@@ -198,11 +183,14 @@ ProjectionReport TreeMotion::project()
     for (std::size_t i = 0; i < size_; ++i)
         store(body(i).lvel, path_[i].lin), store(body(i).avel, path_[i].ang);
     const FreeMomentum momentum(*work_);
-    poses_.go(dq_);
+    poses_.go_and_close(dq_);
     store_poses();
     momentum.restore();
-    for (std::size_t i = 0; i < size_; ++i)
-        solver_body(i).v = body(i).velocity(), solver_body(i).w = body(i).angular_velocity();
+    for (std::size_t i = 0; i < size_; ++i) {
+        const SolverBody& b = solver_body(i);
+        momenta_[i].lin += b.mass * (body(i).velocity() - path_[i].lin);
+        momenta_[i].ang += b.inertia * (body(i).angular_velocity() - path_[i].ang);
+    }
     report.iterations = 1, report.error = double(world_->projection_tolerance);
     return report;
 }

@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// How a tree moves once the velocities u of its joints are known (solve/tree). Poses follow from q + h u, so joints stay closed. What
-// bodies do on the way between the two poses, v' = x(q + h u) - x(q) over h (turns by their logarithms), is T u + O(h): inertia takes it
-// into account if the impulses of the step lead there (SHAKE, as in step/island/positions/shake.h, where it is the joints that are to close),
+// How a tree moves: a variational integrator in the coordinates of its joints. A step leads from poses x to x(q + h u), and between the two
+// each body flies freely by its part of the way: with the way over h, v' and w' (turns by their logarithms), it has the momentum
 //
-//   T^T M (v' - v) + sum j j du / C = sum_acting j dp,   J du + C dp = 0 of the rows that act
+//   P = m v',   L = I w' + (h/2) s w' x I w',   s = tan(a)/a, a = h |w'|/2        (dynamics/exact_spin.h: L is the same at both ends)
 //
-// by Newton's method with the H of the beginning. Without it a joint would lose about (w h)^2/2 of its lever's motion in each step. Where
-// the step ends, velocities are those that the joints allow there (RATTLE): the nearest in the metric of the masses.
+// Where bodies fly on from their last poses, joints and rows exert impulses along what they allow there:
+//
+//   T^T (P, L) = T^T (P, L)_before + h forces + sum j p,   J u + C p = c of the rows that act
+//
+// an equation for u. Where the step ends, velocities are those that joints allow there with the same momentum, H1 u1 = T1^T (P, L). The map
+// from x, v to the next ones is symplectic (Marsden & West, "Discrete mechanics and variational integrators", Acta Numerica 2001; Lee,
+// Liu, Park & Srinivasa, "A linear-time variational integrator for multibody systems", 2016): energy does not drift, momenta are kept, and
+// joints are closed. First the rows are solved, with the P, L that the velocities of the beginning would have in place of M v:
+//
+//   (P, L)(u) = M T u + (P, L)(u0) - M T u0 + O(h du)
+//
+// then u is corrected by quasi-Newton steps with the H of the beginning, in which the rows that act move as they do, extrapolated from
+// the last three of them (Anderson, "Iterative procedures for nonlinear integral equations", 1965).
 // What is beyond a stop or inside a contact is removed by the least displacement of the joints, as project_poses does with bodies.
 #pragma once
 
@@ -20,12 +30,16 @@ namespace epode {
 
 class TreeMotion {
   public:
-    // After the solution. `tree` moves along. False: out of memory.
+    // Before TreeSolve::prepare: v* of the system, in which bodies keep their momenta (ProblemForm::keeps_momentum), become those with
+    // which M v* is the momentum that the solution has to reach. False: out of memory.
     bool begin(const World& world, IslandWork& work, JointTree& tree, TreeSolve& solve, Arena& arena);
+    // Is the step too long for the tree's turns?
+    bool is_too_long() const { return too_long_; }
 
-    // The velocities and impulses with which the bodies get to their poses; bodies are there then. `is_raised`: inertias are
-    // (positions/tension.h), and what that has taken is not given back. False: out of memory.
-    bool advance(bool is_raised);
+    // After the solution: u, the impulses of its rows, and momenta; bodies do not move yet. False: it does not converge, or out of memory.
+    bool find_way();
+    // Bodies are at the end of the way then, joints closed.
+    void advance();
     // Removes what is beyond stops and inside contacts. Behind advance().
     ProjectionReport project();
     // Velocities that joints allow at the end, in the bodies of the system and of the world, and p of the rows of joints, from which
@@ -42,16 +56,11 @@ class TreeMotion {
     {
         return *work_->island.bodies[std::size_t(tree_->link(int(link)).body)];
     }
-    void measure_path();
-    void gather_momentum(std::span<const Spatial> velocities, std::span<double> out);
-    bool is_too_long() const;
-    bool iterate();
-    void fly();
+    Spatial momentum_of(std::size_t link, const Spatial& v) const;
+    void measure_momenta(std::span<const double> u);
+    void find_rates(std::span<double> rates) const;
     void keep_momentum();
     void store_poses() const;
-    void turn_excess() const;
-    Spatial seen(std::size_t link) const;
-    void find_rates(std::span<double> rates) const;
     void find_joint_impulses();
     void add_last_impulses(std::span<Spatial> changes);
     Real gap(const RowBlock& block, const Row& row, std::size_t block_index) const;
@@ -64,8 +73,10 @@ class TreeMotion {
     Arena* arena_ = nullptr;
     TreePoses poses_;
     std::size_t size_ = 0;
-    std::span<Spatial> before_, path_, scratch_;  // v*, v'
-    std::span<Spatial> impulses_;                 // of joints, about their anchors
+    bool too_long_ = false;
+    std::span<Spatial> before_, bias_;   // of links: momenta after forces; (P, L) - M T u at the beginning
+    std::span<Spatial> path_, momenta_;  // v', w' of the way; P, L
+    std::span<Spatial> scratch_, impulses_;  // of joints, about their anchors
     std::span<double> momentum_, r_, dq_;
 };
 

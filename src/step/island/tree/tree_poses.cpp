@@ -24,6 +24,13 @@ Quat turn_by(Vec3 r)
     return {epode::cos(half), v.x, v.y, v.z};
 }
 
+// (d - 1) a
+Vec3 turned_less(Quat d, Vec3 a)
+{
+    const Vec3 t = 2 * cross(d.vec(), a);
+    return d.w * t + cross(d.vec(), t);
+}
+
 // And back, up to half a turn.
 Vec3 turn_of(Quat q)
 {
@@ -40,20 +47,21 @@ Vec3 turn_of(Quat q)
 
 }  // namespace
 
-TreePoses::Place TreePoses::parent_of(const TreeLink& link, std::span<const Place> places) const
+TreePoses::Place TreePoses::parent_of(const TreeLink& link) const
 {
-    return link.parent < 0 ? Place{{}, {}, Mat3::identity()} : places[std::size_t(link.parent)];
+    return link.parent < 0 ? Place{{}, {1, 0, 0, 0}} : places_[std::size_t(link.parent)];
 }
 
 bool TreePoses::begin(const IslandWork& work, const JointTree& tree, Arena& arena)
 {
     tree_ = &tree;
     const int links = int(tree.links().size());
-    before_ = arena.take<Place>(links), now_ = arena.take<Place>(links), locals_ = arena.take<Local>(links);
+    before_ = arena.take<Before>(links), places_ = arena.take<Place>(links);
+    locals_ = arena.take<Local>(links);
     if (arena.failed()) return false;
     for (std::size_t i = 0; i < before_.size(); ++i) {
         const Body& b = *work.island.bodies[std::size_t(tree.link(int(i)).body)];
-        before_[i] = {b.position(), b.orientation(), b.rotation()};
+        before_[i] = {b.position(), b.orientation()};
         locals_[i] = local(work, tree, tree.link(int(i)), i);
     }
     return true;
@@ -64,94 +72,85 @@ TreePoses::Local TreePoses::local(const IslandWork& work, const JointTree& tree,
 {
     Local out{};
     if (link.block < 0) return out;
-    const Place its = before_[i], parent = parent_of(link, before_);
+    const Vec3 its = before_[i].x, parent = link.parent < 0 ? Vec3{} : before(link.parent).x;
     const RowBlock& block = work.system.blocks[std::size_t(link.block)];
     const Row* const rows = &work.system.rows[std::size_t(block.first)];
     const bool slides = link.joint == LinkJoint::kSlider, points = !slides;
     const Real sign = link.is_body1 ? 1 : -1;
-    out.relative = conjugate(parent.q) * its.q;
-    Vec3 turn;  // of the link, in the world
     for (int k = slides ? 0 : 3; k < (slides ? 3 : lock_rows(link.joint)); ++k)
-        turn += (sign * rows[k].error) * rows[k].ang1;
-    out.turn = transposed_times(parent.R, turn);
-    if (link.count == 1) {
-        const Spatial& motion = tree.motion(link.first);
-        out.axis = transposed_times(parent.R, slides ? motion.lin : motion.ang);
-    }
+        out.turn += (sign * rows[k].error) * rows[k].ang1;
+    if (link.count == 1) out.axis = slides ? tree.motion(link.first).lin : tree.motion(link.first).ang;
     const Vec3 gap = points ? Vec3{rows[0].error, rows[1].error, rows[2].error}
                             : rows[3].error * rows[3].lin1 + rows[4].error * rows[4].lin1;
     if (slides || link.joint == LinkJoint::kFixed) {
-        Vec3 way = sign * gap;
-        if (points) way -= cross(turn, link.is_body1 ? block.arms.r1 : Vec3{});
-        out.offset = transposed_times(parent.R, its.x - parent.x + way);
-        if (!link.is_body1) out.own_anchor = transposed_times(its.R, parent.x - its.x);
+        out.way = sign * gap;
+        if (points) out.way -= cross(out.turn, link.is_body1 ? block.arms.r1 : Vec3{});
+        out.parents_arm = its - parent;
+        if (!link.is_body1) out.parents_arm = {}, out.own_arm = parent - its;
         return out;
     }
     // Arms may meet half way between the anchors (joints/parts.cpp).
     const bool has_two = block.body2 >= 0;
-    const Vec3 x1 = link.is_body1 ? its.x : parent.x, x2 = link.is_body1 ? parent.x : its.x;
+    const Vec3 x1 = link.is_body1 ? its : parent, x2 = link.is_body1 ? parent : its;
     const Vec3 seen = has_two ? (x2 + block.arms.r2) - (x1 + block.arms.r1) : gap;
     const Vec3 half = Real(0.5) * (gap - seen);
     const Vec3 p1 = x1 + block.arms.r1 - half, p2 = has_two ? x2 + block.arms.r2 + half : p1 + gap;
     const Vec3 mine = link.is_body1 ? p1 : p2, others = link.is_body1 ? p2 : p1;
-    out.own_anchor = transposed_times(its.R, mine - its.x);
-    out.anchor = transposed_times(parent.R, others - parent.x);
+    out.own_arm = mine - its, out.parents_arm = others - parent, out.way = others - mine;
     return out;
 }
 
-void TreePoses::go(std::span<const double> dq)
+void TreePoses::go_all(std::span<const double> dq, bool closes)
 {
-    for (std::size_t i = 0; i < now_.size(); ++i) go(i, dq.data());
+    for (std::size_t i = 0; i < places_.size(); ++i) go(i, dq.data() + tree_->link(int(i)).first, closes);
 }
 
-void TreePoses::go(std::size_t i, const double* dq)
+void TreePoses::go(std::size_t i, const double* own, bool closes)
 {
     const TreeLink& link = tree_->link(int(i));
-    const double* const own = dq + link.first;
-    Place& to = now_[i];
+    const auto three = [&](int k) { return Vec3{Real(own[k]), Real(own[k + 1]), Real(own[k + 2])}; };
+    Place& to = places_[i];
     if (link.joint == LinkJoint::kFree) {
-        to.x = before_[i].x + Vec3{Real(own[0]), Real(own[1]), Real(own[2])};
-        to.q = turn_by({Real(own[3]), Real(own[4]), Real(own[5])}) * before_[i].q;
-    } else {
-        const Place parent = parent_of(link, now_);
-        const Local& l = locals_[i];
-        Vec3 turn = l.turn;
-        if (link.joint == LinkJoint::kHinge) turn += Real(own[0]) * l.axis;
-        if (link.joint == LinkJoint::kBall)
-            turn +=
-                transposed_times(parent_of(link, before_).R, Vec3{Real(own[0]), Real(own[1]), Real(own[2])});
-        to.q = parent.q * (turn_by(turn) * l.relative);
-        if (link.joint == LinkJoint::kSlider)
-            to.x = parent.x + parent.R * (l.offset + Real(own[0]) * l.axis);
-        else if (link.joint == LinkJoint::kFixed)
-            to.x = parent.x + parent.R * l.offset;
-        else
-            to.x = parent.x + parent.R * l.anchor;
+        to = {three(0), turn_by(three(3))};
+        return;
     }
-    normalize(to.q);
-    to.R = to_matrix(to.q);
-    if (link.joint == LinkJoint::kHinge || link.joint == LinkJoint::kBall)
-        to.x -= to.R * locals_[i].own_anchor;
+    const Place parent = parent_of(link);
+    const Local& l = locals_[i];
+    Vec3 turn, way;
+    if (link.joint == LinkJoint::kHinge) turn = Real(own[0]) * l.axis;
+    if (link.joint == LinkJoint::kBall) turn = three(0);
+    if (link.joint == LinkJoint::kSlider) way = Real(own[0]) * l.axis;
+    if (closes) turn += l.turn, way += l.way;
+    to.d = turn == Vec3{} ? parent.d : parent.d * turn_by(turn);
+    to.y = parent.y + turned_less(parent.d, l.parents_arm) - turned_less(to.d, l.own_arm);
+    if (link.joint == LinkJoint::kSlider || closes) to.y += way + turned_less(parent.d, way);
 }
 
 Spatial TreePoses::displacement(int link) const
 {
-    const Place &from = before_[std::size_t(link)], &to = now_[std::size_t(link)];
-    return {turn_of(to.q * conjugate(from.q)), to.x - from.x};
+    const Place& its = places_[std::size_t(link)];
+    return {turn_of(its.d), its.y};
+}
+
+Quat TreePoses::orientation(int link) const
+{
+    Quat q = places_[std::size_t(link)].d * before(link).q;
+    normalize(q);
+    return q;
 }
 
 void TreePoses::move(JointTree& tree) const
 {
-    for (std::size_t i = 0; i < now_.size(); ++i) {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
         const TreeLink link = tree.link(int(i));
-        const Place& its = now_[i];
-        const Vec3 O = now_[std::size_t(link.root)].x, from_root = its.x - O;
+        const Vec3 x = position(int(i)), from_root = x - position(link.root);
         if (link.joint == LinkJoint::kFree) {
             tree.move(int(i), from_root, {}, {});
             continue;
         }
-        const Vec3 anchor = from_root + its.R * locals_[i].own_anchor;
-        const Vec3 axis = parent_of(link, now_).R * locals_[i].axis;
+        const Local& l = locals_[i];
+        const Vec3 anchor = from_root + l.own_arm + turned_less(places_[i].d, l.own_arm);
+        const Vec3 axis = l.axis + turned_less(parent_of(link).d, l.axis);
         Spatial motions[3];
         if (link.joint == LinkJoint::kHinge) motions[0] = {axis, cross(anchor, axis)};
         if (link.joint == LinkJoint::kSlider) motions[0] = {{}, axis};

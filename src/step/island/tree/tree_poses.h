@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Poses of a tree's bodies from displacements dq of its dofs, parents first: nothing opens, whatever dq is. In the frame of the parent P
-// of a link C (the world's, if it has none),
+// Poses of a tree's bodies from displacements dq of its dofs, parents first: nothing opens, whatever dq is. Against the beginning, a body
+// has turned by d (a quaternion in the world's axes) and its centre has gone y. Of a link C with the parent P (the world, if it has
+// none: d = 1, y = 0), in the world's axes at the beginning,
 //
-//   q_C = q_P exp(turn + e) r            r = q_P0^-1 q_C0 at the beginning
-//   x_C = x_P + R_P a_P - R_C a_C        hinge, ball: a, where the anchor is in each body
-//   x_C = x_P + R_P (d + slide + e)      slider, fixed: d = R_P0^T (x_C0 - x_P0)
+//   d_C = d_P exp(own turn)                         own turn: dq along the axis of a hinge, dq of a ball, 0 of others
+//   y_C = y_P + (d_P - 1) a_P - (d_C - 1) a_C       hinge, ball, fixed: a, from the centres to where the joint is
+//   y_C = y_P + (d_P - 1) a_P + d_P dq axis         slider: a_P to the centre of C
 //
-// e closes what is open at the beginning, to first order, and so to nothing in a few steps. A free root turns by exp(dq) in the world.
+// with (d - 1) a = d a d^-1 - a, so that small displacements have as many digits as large ones. A free root turns by exp(dq).
+// What is open at the beginning, e, is closed apart from that, to first order, and so to nothing in a few steps: as a displacement of the
+// poses, which is no motion.
 #pragma once
 
 #include "solve/tree/joint_tree.h"
@@ -21,36 +24,41 @@ class TreePoses {
     // At the beginning of a step. False: out of memory.
     bool begin(const IslandWork& work, const JointTree& tree, Arena& arena);
 
-    // Poses after dq; bodies do not move yet.
-    void go(std::span<const double> dq);
-    // v h and w h that lead from the beginning to those poses.
+    // Displacements after dq; bodies do not move yet.
+    void go(std::span<const double> dq) { go_all(dq, false); }
+    // With what closes the joints.
+    void go_and_close(std::span<const double> dq) { go_all(dq, true); }
+    // v h and w h that lead from the beginning to there.
     Spatial displacement(int link) const;
-    Vec3 position(int link) const { return now_[std::size_t(link)].x; }
-    Quat orientation(int link) const { return now_[std::size_t(link)].q; }
-    const Mat3& rotation(int link) const { return now_[std::size_t(link)].R; }
+    void shift(int link, Vec3 way) { places_[std::size_t(link)].y += way; }
 
-    void shift(int link, Vec3 way) { now_[std::size_t(link)].x += way; }
-    const Mat3& rotation_before(int link) const { return before_[std::size_t(link)].R; }
-
+    // Poses at the displacements.
+    Vec3 position(int link) const { return before(link).x + places_[std::size_t(link)].y; }
+    Quat orientation(int link) const;
     // The tree with its motions at those poses.
     void move(JointTree& tree) const;
 
   private:
-    struct Place {
+    struct Before {
         Vec3 x;
         Quat q;
-        Mat3 R;
     };
-    struct Local {  // of a link, in the frame of its parent, but own_anchor in its own
-        Vec3 axis, anchor, own_anchor, offset, turn;  // offset, turn: with what closes the joint
-        Quat relative;
+    struct Place {
+        Vec3 y;
+        Quat d;
     };
-    Place parent_of(const TreeLink& link, std::span<const Place> places) const;
+    struct Local {  // of a link; turn, way: what closes its joint
+        Vec3 axis, parents_arm, own_arm, turn, way;
+    };
+    const Before& before(int link) const { return before_[std::size_t(link)]; }
+    Place parent_of(const TreeLink& link) const;
     Local local(const IslandWork& work, const JointTree& tree, const TreeLink& link, std::size_t i) const;
-    void go(std::size_t i, const double* dq);
+    void go_all(std::span<const double> dq, bool closes);
+    void go(std::size_t i, const double* own, bool closes);
 
     const JointTree* tree_ = nullptr;
-    std::span<Place> before_, now_;
+    std::span<Before> before_;
+    std::span<Place> places_;
     std::span<Local> locals_;
 };
 
