@@ -62,7 +62,9 @@ typedef enum {
     speed is the larger one, velocities of surfaces are subtracted, and compliances add up, as of springs in
     series. A compliant contact is held, beyond the surface layer and in all steppers, by a spring of
     stiffness 1/compliance and a damper of damping_time/compliance at each of its points. Stiffer than 1e9
-    N/m counts as rigid. Each field ends with its default. */
+    N/m counts as rigid. A surface with a friction axis, seen in the contact plane, bounds friction by the
+    ellipse of its two coefficients; what slides is braked by the point of it that takes most power. Of two
+    such surfaces the one whose coefficients differ more gives the axis. Each field ends with its default. */
 typedef struct dMaterial {
     unsigned struct_size;      /**< sizeof(dMaterial), set by the caller or dMaterialInit */
     dReal friction;            /**< coefficient of Coulomb friction, 0 ... dInfinity (does not slide). 0.6 */
@@ -76,6 +78,8 @@ typedef struct dMaterial {
     int bounce_rule;           /**< for bounce. dCombineDefault */
     int rolling_friction_rule; /**< for rolling friction. dCombineDefault */
     int priority; /**< the geom of the larger one says friction, bounce and rolling friction alone. 0 */
+    dReal cross_friction;   /**< coefficient across friction_axis, where that is not 0. 0.6 */
+    dVector3 friction_axis; /**< in the geom's frame: friction counts along it; 0: in all directions. 0 */
 } dMaterial;
 
 /** Fills *material with the default of every field, and writes struct_size, which is sizeof(dMaterial), to
@@ -92,6 +96,23 @@ ODE_API int dMaterialInit(dMaterial* material, unsigned struct_size);
       [ours] */
 ODE_API int dGeomSetMaterial(dGeomID geom, const dMaterial* material);
 ODE_API int dGeomGetMaterial(dGeomID geom, dMaterial* material);
+
+/** Materials of the faces of a geom: the triangles of a mesh, in their order, or the cells of a height
+    field, cell (i, j) by i + j (samples along the first axis - 1). World-managed contacts take the material
+    of the face that is nearest to the contact. Clones and files of worlds have them.
+    - dGeomSetFaceMaterial: Give the geom a copy of *material as its material of that number (1 ... 255), from
+      the next step on; 0 removes it. Returns 1. Refused: another class of geom; another number; what
+      dGeomSetMaterial refuses.
+    - dGeomGetFaceMaterial: Copy that material, or the default material if there is none, to *material.
+      Returns 1.
+    - dGeomSetFaceMaterialNumbers: Take from numbers which material each of count faces has: with 0 or
+      one without a material it has the geom's own. Count 0: all have. Returns 1. Refused:
+      another class of geom; a count that is not 0 and not that of the faces.
+    - dGeomGetFaceMaterialNumbers: Copy them, at most capacity, to numbers. Returns how many there are. [ours] */
+ODE_API int dGeomSetFaceMaterial(dGeomID geom, int number, const dMaterial* material);
+ODE_API int dGeomGetFaceMaterial(dGeomID geom, int number, dMaterial* material);
+ODE_API int dGeomSetFaceMaterialNumbers(dGeomID geom, const unsigned char* numbers, int count);
+ODE_API int dGeomGetFaceMaterialNumbers(dGeomID geom, unsigned char* numbers, int capacity);
 
 /** Decides whether two geoms may touch: not if it returns 0. It is called once when they come near each
     other, and again when they have been apart. */
@@ -122,6 +143,10 @@ typedef struct dManifold {
     dReal compliance;          /**< of each point, m/N; 0: rigid */
     dReal damping_time;        /**< of a compliant point, s */
     dVector3 surface_velocity; /**< velocity of g1 against g2 that friction aims at, world, m/s */
+    dReal cross_friction;      /**< coefficient across friction_axis */
+    dVector3 friction_axis;    /**< world: friction counts along it; 0: in all directions */
+    dReal max_impulse; /**< sum of the normal impulses in the step at most, N s; a share of each point, the
+                            same for all. dInfinity */
 } dManifold;
 
 /** Sees every manifold of the world in every step, before it is solved, and may change it. data is the

@@ -180,6 +180,11 @@ class dWorldExt : public dWorld {
         return dWorldClone(get_id(), space, table, capacity);
     }
     int countHandles(dSpaceID space) const { return dWorldCountHandles(get_id(), space); }
+    /** dWorldShiftOrigin. */
+    int shiftOrigin(dSpaceID space, const dVector3 offset)
+    {
+        return dWorldShiftOrigin(get_id(), space, offset);
+    }
     int save(dSpaceID space, const char* path) const { return dWorldSave(get_id(), space, path); }
     size_t saveToBuffer(dSpaceID space, void* buffer, size_t capacity) const
     {
@@ -431,6 +436,24 @@ class dGeomExt : public Shape {
     int setMaterial(const dMaterial& material) { return dGeomSetMaterial(geom(), &material); }
     int getMaterial(dMaterial* material) const { return dGeomGetMaterial(geom(), material); }
 
+    /** dGeomSetFaceMaterial, dGeomGetFaceMaterial, dGeomSetFaceMaterialNumbers, dGeomGetFaceMaterialNumbers. */
+    int setFaceMaterial(int number, const dMaterial* material)
+    {
+        return dGeomSetFaceMaterial(geom(), number, material);
+    }
+    int getFaceMaterial(int number, dMaterial* material) const
+    {
+        return dGeomGetFaceMaterial(geom(), number, material);
+    }
+    int setFaceMaterialNumbers(const unsigned char* numbers, int count)
+    {
+        return dGeomSetFaceMaterialNumbers(geom(), numbers, count);
+    }
+    int getFaceMaterialNumbers(unsigned char* numbers, int capacity) const
+    {
+        return dGeomGetFaceMaterialNumbers(geom(), numbers, capacity);
+    }
+
     /** dGeomSetContinuous, dGeomGetContinuous. */
     void setContinuous(int mode) { dGeomSetContinuous(geom(), mode); }
     int getContinuous() const { return dGeomGetContinuous(geom()); }
@@ -573,6 +596,12 @@ class dSpaceExt : public Space {
     int cast(dGeomID o, const dVector3 motion, const dQueryFilter* filter, dQueryHit* hit) const
     {
         return dSpaceCast(Space::id(), o, motion, filter, hit);
+    }
+    /** dSpaceCastAll. */
+    int castAll(dGeomID o, const dVector3 motion, const dQueryFilter* filter, dCastHit* hits,
+                int capacity) const
+    {
+        return dSpaceCastAll(Space::id(), o, motion, filter, hits, capacity);
     }
 };
 

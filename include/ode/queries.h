@@ -48,6 +48,8 @@ typedef struct dQueryFilter {
     dBodyID skip_body;           /**< leave the geoms of this body out; 0: none. 0 */
     dQueryCallback* callback;    /**< has the last word; 0: none. 0 */
     void* data;                  /**< for the callback. 0 */
+    int skip_overlaps; /**< 1: casts of shapes leave out what overlaps the shape at the beginning, of meshes and
+                            height fields those triangles. 0 */
 } dQueryFilter;
 
 /** Fills *filter with the default of every field, a filter that finds everything, and writes struct_size,
@@ -65,7 +67,8 @@ typedef struct dQueryHit {
 
 /** Finds the geom that a ray hits first and writes it to *hit. The ray goes from origin in direction (of
     any length but 0) to the distance length (0 ... dInfinity). Each geom is hit as dCollide with a ray geom
-    says, with its closest hit; from inside, at its far wall. A null filter finds everything. Returns 1, or
+    says, with its closest hit; from inside, at its far wall. A surface that the ray leaves outward at its
+    origin is not hit there. A null filter finds everything. Returns 1, or
     0 if nothing is hit: then hit->geom is 0. Refused: a zero direction; a length below 0. [ours] */
 ODE_API int dSpaceRayClosest(dSpaceID space, const dVector3 origin, const dVector3 direction, dReal length,
                              const dQueryFilter* filter, dQueryHit* hit);
@@ -125,6 +128,24 @@ ODE_API int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal max_distance, dQueryD
 ODE_API int dGeomCast(dGeomID o, const dVector3 motion, dGeomID other, dQueryHit* hit);
 ODE_API int dSpaceCast(dSpaceID space, dGeomID o, const dVector3 motion, const dQueryFilter* filter,
                        dQueryHit* hit);
+
+/** What a cast of a shape has hit. */
+typedef struct dCastHit {
+    dGeomID geom;         /**< the geom that was hit */
+    dVector3 pos;         /**< where, in the world */
+    dVector3 normal;      /**< unit, out of that geom: along it the two are nearest to each other */
+    dReal distance;       /**< from the beginning of the motion, m */
+    int side;             /**< triangle of a mesh; -1: it has none */
+    dVector3 face_normal; /**< unit, of the face that was hit; of an edge or corner, of the face there that is
+                               most against the motion. Round geoms: normal */
+    dReal depth;          /**< of an overlap at the beginning, m; else 0 */
+} dCastHit;
+
+/** Finds all that the geom o would hit on its way, each geom once, where the motion meets it first, and
+    writes at most capacity of them to hits, the nearest first. Motion, o and filter are as in dSpaceCast;
+    nothing stops o. Returns how many there are. Refused: what dSpaceCast refuses. [ours] */
+ODE_API int dSpaceCastAll(dSpaceID space, dGeomID o, const dVector3 motion, const dQueryFilter* filter,
+                          dCastHit* hits, int capacity);
 
 #ifdef __cplusplus
 }

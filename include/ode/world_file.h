@@ -65,6 +65,15 @@ ODE_API size_t dWorldSaveToBuffer(dWorldID world, dSpaceID space, void* buffer, 
 ODE_API dWorldID dWorldLoad(const char* path, dSpaceID* space);
 ODE_API dWorldID dWorldLoadFromBuffer(const void* buffer, size_t size, dSpaceID* space);
 
+/** Makes the point offset (m, world) the new origin: subtracts it from the places of bodies, geoms of the space
+    without bodies (0: the contact space), planes, anchors at the world, contacts, events, characters, vehicles
+    and fluids. Nothing wakes or moves against anything else (docs/guide/howto/large_worlds.md). A history
+    begins anew; states of before do not fit where planes or joints are at the world. Returns 1. Refused: a call
+    during a step or a collision of the space; a space with geoms of another world's bodies; coordinates that
+    would be no usable numbers; an offset along z in a world with plane joints, which hold bodies at z = 0.
+    [ours] */
+ODE_API int dWorldShiftOrigin(dWorldID world, dSpaceID space, const dVector3 offset);
+
 #ifdef __cplusplus
 }
 #endif

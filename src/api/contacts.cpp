@@ -4,6 +4,8 @@
 // The C functions of world-managed contacts.
 #include "ode/contacts.h"
 
+#include <algorithm>
+
 #include "base/objects/structure_edition.h"
 #include "collide/types/registry.h"
 #include "contacts/material.h"
@@ -17,6 +19,11 @@ namespace {
 const ContactWorld* world_contacts(const World& world)
 {
     return world.step_state ? &world.step_state->world_contacts : nullptr;
+}
+
+bool has_faces(const Geom& geom)
+{
+    return geom.type->number == dTriMeshClass || geom.type->number == dHeightfieldClass;
 }
 
 }  // namespace
@@ -92,6 +99,51 @@ int dMaterialInit(dMaterial* material, unsigned struct_size)
     EPODE_SIZED_AS(material, struct_size, 0);
     copy_sized(kDefaultMaterial, material, struct_size);
     return 1;
+}
+
+int dGeomSetFaceMaterial(dGeomID g, int number, const dMaterial* material)
+{
+    EPODE_GEOM(geom, g, 0);
+    EPODE_USER_SAY(has_faces(*geom), "argument not a mesh or a height field", 0);
+    EPODE_USER(number >= 1 && number <= kMostFaceMaterials, 0);
+    dMaterial whole = kDefaultMaterial;
+    if (material) {
+        EPODE_SIZED(material, 0);
+        whole = completed(*material, kDefaultMaterial);
+        EPODE_USER(usable_material(whole), 0);
+    }
+    EPODE_USER_SAY(set_face_material(*geom, number, material ? &whole : nullptr), "out of memory", 0);
+    return 1;
+}
+
+int dGeomGetFaceMaterial(dGeomID g, int number, dMaterial* material)
+{
+    EPODE_GEOM(geom, g, 0);
+    EPODE_USER_SAY(has_faces(*geom), "argument not a mesh or a height field", 0);
+    EPODE_USER(number >= 1 && number <= kMostFaceMaterials, 0);
+    EPODE_SIZED(material, 0);
+    copy_sized(face_material(*geom, number), material, material->struct_size);
+    return 1;
+}
+
+int dGeomSetFaceMaterialNumbers(dGeomID g, const unsigned char* numbers, int count)
+{
+    EPODE_GEOM(geom, g, 0);
+    EPODE_USER_SAY(has_faces(*geom), "argument not a mesh or a height field", 0);
+    EPODE_USER(count >= 0 && (numbers || count == 0), 0);
+    EPODE_USER_SAY(count == 0 || count == face_count(*geom), "not a number for each face", 0);
+    EPODE_USER_SAY(set_face_numbers(*geom, {numbers, std::size_t(count)}), "out of memory", 0);
+    return 1;
+}
+
+int dGeomGetFaceMaterialNumbers(dGeomID g, unsigned char* numbers, int capacity)
+{
+    EPODE_GEOM(geom, g, 0);
+    EPODE_USER_SAY(has_faces(*geom), "argument not a mesh or a height field", 0);
+    EPODE_USER(capacity >= 0 && (numbers || capacity == 0), 0);
+    const auto all = face_numbers(*geom);
+    std::copy_n(all.begin(), std::min(all.size(), std::size_t(capacity)), numbers);
+    return int(all.size());
 }
 
 int dWorldGetContactEvents(dWorldID w, dContactEvent* events, int capacity)

@@ -7,6 +7,7 @@
 #include "base/check.h"
 #include "base/float_environment.h"
 #include "base/streams/whole_file.h"
+#include "state/shift_origin.h"
 #include "state/world_copy.h"
 #include "step/step.h"
 
@@ -51,6 +52,18 @@ dWorldID dWorldClone(dWorldID w, dSpaceID* from, dHandlePair* table, int capacit
     const char* const wrong = clone_world(*world, space, copy, {table, capacity}, text, sizeof text);
     EPODE_USER_SAY(!wrong, wrong, nullptr);
     return handles_of(copy, from);
+}
+
+int dWorldShiftOrigin(dWorldID w, dSpaceID s, const dVector3 offset)
+{
+    const FloatEnvironment floats;
+    World* const world = from_handle<World>(w);
+    EPODE_USER(world && offset && usable(offset, 3), 0);
+    EPODE_USER_SAY(!in_step(*world), busy_text(*world), 0);
+    EPODE_USER_SAY(!s || space_from(s), "argument not a space", 0);
+    const char* const wrong = shift_origin(*world, space_of(*world, s), -load(offset));
+    EPODE_USER_SAY(!wrong, wrong, 0);
+    return 1;
 }
 
 int dWorldCountHandles(dWorldID w, dSpaceID s)

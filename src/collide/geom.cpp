@@ -185,12 +185,6 @@ void drop_offset(Geom& geom)
     geom.rotation = geom.body.rotation;
 }
 
-void drop_material(Geom& geom)
-{
-    if (geom.material) release(geom.material, sizeof(dMaterial));
-    geom.material = nullptr;
-}
-
 namespace {
 
 void stay(void* geom, const void*, std::size_t) { static_cast<Geom*>(geom)->dying = false; }

@@ -204,7 +204,7 @@ void link_body(Geom& geom, const BodyLink& link);
 void unlink_body(Geom& geom);    // the geom keeps its pose in the world
 bool ensure_offset(Geom& geom);  // identity if new; false when memory is exhausted
 void drop_offset(Geom& geom);    // back to the body's pose
-void drop_material(Geom& geom);
+void drop_material(Geom& geom);  // face_materials.cpp
 
 // All geoms that have been created so far have this serial or a lower one.
 std::uint64_t newest_geom_serial();

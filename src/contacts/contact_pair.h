@@ -16,6 +16,7 @@
 namespace epode {
 
 inline constexpr int kSurfaceManifolds = 3;
+inline constexpr Real kAnchorCell = 1024;  // of the lattice of frame_of_anchors(), m
 
 // One place for each point of a manifold when the two were collided, in the frames of both geoms; side by
 // side. What is missing repeats the last.

@@ -9,6 +9,7 @@
 #include "base/float_environment.h"
 #include "base/prefetch.h"
 #include "collide/collide.h"
+#include "contacts/manifold_points.h"
 #include "contacts/narrow_phase.h"
 #include "contacts/pair_rules.h"
 #include "dynamics/active.h"
@@ -400,6 +401,24 @@ void ContactWorld::forget()
     resting_.clear();
     ended_.clear();
     settled_ = unfinished_ = any_unsupported_ = few_active_ = false;
+}
+
+void ContactWorld::shift(Vec3 by)
+{
+    // What stands on a plane has its anchors in the world: with another lattice point they are found again.
+    constexpr std::uint32_t kOutdated = 1u << 31;
+    const auto shift_pair = [&](const ContactPair& pair, std::span<CachedManifold> manifolds) {
+        const Geom* const g2 = from_handle<Geom>(pair.id2);
+        const bool on_plane = g2 && g2->type->number == dPlaneClass;
+        for (CachedManifold& kept : manifolds) {
+            const Vec3 before = frame_of_anchors({}, kept.origin, true).p;
+            kept.origin += by;
+            const Vec3 after = frame_of_anchors({}, kept.origin, true).p;
+            if (on_plane && after != before + by) kept.found.changes ^= kOutdated;
+        }
+    };
+    for (const ContactPair& pair : last_.pairs) shift_pair(pair, last_.own(pair));
+    resting_.for_each_own(shift_pair);
 }
 
 const char* ContactWorld::fault() const

@@ -92,6 +92,8 @@ class ContactWorld {
     // What is between bodies that are not active now lies apart until one of the geoms is looked at again.
     void lay_to_rest();
     void forget();
+    // All that lies in the world has moved by this, between two steps (state/shift_origin.h).
+    void shift(Vec3 by);
 
     // In states of the world (contact_state.cpp): what the next step starts from, and what of the last one
     // can be asked for. What is loaded lies where a step makes its pairs until it is accepted, which

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "base/array.h"
+#include "math/vec.h"
 #include "ode/events.h"
 
 namespace epode {
@@ -45,6 +46,10 @@ class EventList {
     }
     void add(const Record& record);
     void lose() { ++lost_; }
+    void shift(Vec3 by)
+    {
+        for (Record& record : records_) store(record.event.pos, load(record.event.pos) + by);
+    }
     void sort();
 
     int lost() const { return lost_; }

@@ -43,7 +43,8 @@ struct Touch {
     Vec3 place(int i) const
     {
         const ContactAnchors& anchors = kept.found.anchors;
-        const Vec3 at = pose_of(floor()).to_world(widen(first ? anchors.second(i) : anchors.first(i)));
+        const Pose frame = frame_of_anchors(pose_of(floor()), pair.body1->position(), first && !pair.body2);
+        const Vec3 at = frame.to_world(widen(first ? anchors.second(i) : anchors.first(i)));
         return is_solid(floor()) ? at : at - Real(anchors.separation[i]) * normal();
     }
     Real depth(int i) const { return std::fabs(Real(kept.found.anchors.separation[i])); }

@@ -33,6 +33,8 @@ dManifold shown(const ContactPair& pair, const CachedManifold& kept)
     out.rolling_friction = m.rolling_friction;
     out.compliance = m.compliance, out.damping_time = m.damping_time;
     store(out.surface_velocity, widen(m.surface_velocity));
+    out.cross_friction = m.cross_mu, out.max_impulse = m.max_impulse;
+    store(out.friction_axis, widen(m.friction_axis));
     return out;
 }
 
@@ -45,8 +47,20 @@ void take(Real from, Real largest, float& to)
 // Of the softest and most frictional materials (contacts/material.cpp).
 constexpr Real kLargest = Real(1e6), kSoftestPoint = Real(1e9), kHardestPoint = Real(1e-9);
 
+// An axis in the contact plane, or none where there is no difference along and across it.
+void take_axis(const dManifold& from, ContactManifold& to)
+{
+    if (!usable(from.friction_axis, 3)) return;
+    const Vec3 n = widen(to.normal), a = load(from.friction_axis), seen = a - dot(n, a) * n;
+    constexpr Real kUpright = Real(1e-3);
+    const bool has = to.mu != to.cross_mu && length2(seen) > kUpright * kUpright * length2(a);
+    to.friction_axis = has ? narrow(normalized_or(seen, {})) : Float3{};
+}
+
 void take(const dManifold& from, ContactManifold& to)
 {
+    take(from.cross_friction, kLargest, to.cross_mu);
+    take(from.max_impulse, kInf, to.max_impulse);
     take(from.friction, kLargest, to.mu);
     if (from.bounce <= 1) take(from.bounce, 1, to.restitution);
     take(from.bounce_speed, kInf, to.restitution_threshold);
@@ -54,6 +68,7 @@ void take(const dManifold& from, ContactManifold& to)
     take(from.compliance, kSoftestPoint, to.compliance);
     if (to.compliance < float(kHardestPoint)) to.compliance = 0;
     take(from.damping_time, kLargest, to.damping_time);
+    take_axis(from, to);
     if (!usable(from.surface_velocity, 3)) return;
     const Vec3 n = widen(to.normal), u = load(from.surface_velocity);
     to.surface_velocity = narrow(u - dot(n, u) * n);

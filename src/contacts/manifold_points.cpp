@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 #include "collide/contact_sink.h"
@@ -70,6 +71,19 @@ Vec3 normal_of(const ManifoldFinding& found, const Pose& pose1, const Pose& pose
 }
 
 }  // namespace
+
+Pose frame_of_anchors(const Pose& own, Vec3 x1, bool stands)
+{
+    constexpr Real kCell = kAnchorCell;
+    if (!stands) return own;
+    const Vec3 at = transposed_times(own.R, x1 - own.p);
+    const Vec3 size = abs(at);
+    if (std::max({size.x, size.y, size.z}) < kCell / 2) [[likely]]
+        return own;
+    const auto nearest = [](Real x) { return std::floor(x / kCell + Real(0.5)) * kCell; };
+    const Vec3 cell{nearest(at.x), nearest(at.y), nearest(at.z)};
+    return {own.p + own.R * cell, own.R};
+}
 
 void fix_points(const ManifoldMaker& maker, int part, const Pose& A, const Pose& B, Anchors how,
                 ContactAnchors& anchors)
@@ -151,18 +165,23 @@ ManifoldMaker::ManifoldMaker(std::span<CachedManifold> parts) : parts_(parts)
 }
 
 // The manifold of that normal, a new one, or when there is no more the one that is nearest.
-int ManifoldMaker::part_for(Vec3 normal)
+int ManifoldMaker::part_for(Vec3 normal, int kind)
 {
-    const auto agreement = [&](int i) { return dot(widen(parts_[std::size_t(i)].manifold.normal), normal); };
+    constexpr Real kOtherKind = 2;  // no agreement of normals outweighs it
+    const auto agreement = [&](int i) {
+        return dot(widen(parts_[std::size_t(i)].manifold.normal), normal) -
+               (kinds_[i] == kind ? 0 : kOtherKind);
+    };
     const int nearest = used_ ? best_of(used_, agreement) : -1;
     if (nearest >= 0 && (agreement(nearest) > kManifoldCosine || used_ == int(parts_.size()))) return nearest;
     parts_[std::size_t(used_)].manifold.normal = narrow(normal);
+    kinds_[used_] = kind;
     return used_++;
 }
 
-void ManifoldMaker::add(const dContactGeom& contact)
+void ManifoldMaker::add(const dContactGeom& contact, int kind)
 {
-    const int part = part_for(load(contact.normal));
+    const int part = part_for(load(contact.normal), kind);
     if (counts_[part] < kMaxPoints) chosen_[part][counts_[part]++] = &contact;
 }
 

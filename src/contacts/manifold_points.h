@@ -16,8 +16,9 @@ class ManifoldMaker {
   public:
     explicit ManifoldMaker(std::span<CachedManifold> parts);
 
-    // The normal must lead into g1, as dCollide gives it.
-    void add(const dContactGeom& contact);
+    // The normal must lead into g1, as dCollide gives it. Contacts of several kinds are not in one manifold, as far as there
+    // are enough.
+    void add(const dContactGeom& contact, int kind = 0);
     // Leaves the best four of each manifold that has more.
     void finish();
     int used() const { return used_; }
@@ -28,14 +29,18 @@ class ManifoldMaker {
   private:
     static constexpr int kMaxPoints = 16;
 
-    int part_for(Vec3 normal);
+    int part_for(Vec3 normal, int kind);
     void keep_four(int part);
 
     std::span<CachedManifold> parts_;
     const dContactGeom* chosen_[kSurfaceManifolds][kMaxPoints];
-    int counts_[kSurfaceManifolds] = {};
+    int counts_[kSurfaceManifolds] = {}, kinds_[kSurfaceManifolds] = {};
     int used_ = 0;
 };
+
+// Where points of what stands are fixed: in the frame of a lattice point near x1, which is its own place unless that is far
+// away. Anchors are floats: on a plane, or in a landscape, they would know a place a thousand kilometres off to 6 cm.
+Pose frame_of_anchors(const Pose& own, Vec3 x1, bool stands);
 
 // Fixes the points of a manifold in both geoms, which were at A and B when they were found: one place in both, or, of
 // contacts that lie on the surface of g1, in each the place on its own surface.

@@ -77,7 +77,8 @@ class PairUpdate {
     {
         pair_.count = 0;
         if (old.empty() && remains_separated()) return;
-        offset_ = transposed_times(pose1_.R, pose2_.p - pose1_.p);
+        frame2_ = frame_of_anchors(pose2_, x1_, !pair_.body2);
+        offset_ = transposed_times(pose1_.R, frame2_.p - pose1_.p);
         turn_ = transpose(pose1_.R) * pose2_.R;
         if (!old.empty() && hardly_moved(old) && reuse(old)) return;
         pair_.count = 0;
@@ -171,8 +172,8 @@ class PairUpdate {
         part.origin = x1_;
         part.layer = float(layer());
         const bool touches =
-            place_points(pose1_, pose2_, x1_, pair_.body2 ? &x2_ : nullptr, layer(), was, part.manifold);
-        combine_materials(g1_, g2_, part.manifold);
+            place_points(pose1_, frame2_, x1_, pair_.body2 ? &x2_ : nullptr, layer(), was, part.manifold);
+        combine_materials(g1_, g2_, x1_, part.manifold);
         return touches;
     }
 
@@ -311,7 +312,7 @@ class PairUpdate {
         for (int i = 0; i < part.manifold.count; ++i) {
             ManifoldPoint& point = part.manifold.points[i];
             const Vec3 at1 = soon1.p + soon1.R * widen(part.found.anchors.first(i)),
-                       at2 = soon2.p + soon2.R * widen(part.found.anchors.second(i));
+                       at2 = second_frame(soon2).to_world(widen(part.found.anchors.second(i)));
             // Until then the point goes along with the one that moves, see solve/substeps/manifold_kernels.inc.
             const Vec3 at = moves(pair_.body1) ? at1 - way1 : at2 - way2;
             const Vec3 r1 = at - x1_, r2 = at - x2_;
@@ -343,13 +344,24 @@ class PairUpdate {
         pair_.count = std::uint8_t(end - parts_.begin());
     }
 
+    // In which anchors of g2 lie where it is at `pose`.
+    const Pose& second_frame(const Pose& pose) const { return pair_.body2 ? pose : frame2_; }
+
+    // By the materials of the faces that it touches.
+    int kind_of(const dContactGeom& c) const
+    {
+        if (!has_face_materials(g1_) && !has_face_materials(g2_)) return 0;
+        const Vec3 at = load(c.pos), n = load(c.normal);
+        return material_number_at(g1_, at, n) + (kMostFaceMaterials + 1) * material_number_at(g2_, at, n);
+    }
+
     // The contacts of the two at A and B.
     void take(const ContactArray& out, const Pose& A, const Pose& B, std::span<const CachedManifold> old,
               Anchors how)
     {
         ManifoldMaker maker(parts_);
         for (int i = 0; i < out.count; ++i)
-            if (sound(*out.at(i))) maker.add(*out.at(i));
+            if (sound(*out.at(i))) maker.add(*out.at(i), kind_of(*out.at(i)));
         maker.finish();
         pair_.count = std::uint8_t(maker.used());
         for (int part = 0; part < pair_.count; ++part) settle(part, maker, A, B, old, how);
@@ -386,7 +398,7 @@ class PairUpdate {
         manifold.at_border = maker.at_border(index);
         for (int i = 0; i < manifold.count; ++i)
             manifold.points[i].normal_impulse = 0, manifold.points[i].friction_impulse = {};
-        fix_points(maker, index, A, B, how, found.anchors);
+        fix_points(maker, index, A, second_frame(B), how, found.anchors);
         place(part, part);
         if (how == Anchors::kTogether) place_found(maker, index, x1_, pair_.body2 ? &x2_ : nullptr, manifold);
         const Real size = this->size();
@@ -402,7 +414,8 @@ class PairUpdate {
     const Vec3 x1_, x2_;
     mutable Real size_ = -1, layer_ = -1;  // not known yet
     bool apart_ = false;                   // at present, as has been proved
-    Vec3 offset_;                          // of g2 in g1's frame
+    Pose frame2_;                          // of g2's anchors now
+    Vec3 offset_;                          // of that in g1's frame
     Mat3 turn_;
 };
 
@@ -424,9 +437,9 @@ void place_again(const ContactPair& pair, CachedManifold& kept)
     for (int i = 0; i < kManifoldPoints; ++i) separation[i] = kept.manifold.points[i].separation;
     kept.origin = body1->position();
     const Vec3 x2 = body2 ? body2->position() : Vec3{};
-    (void)place_points(pose_of(*g1), pose_of(*g2), kept.origin, body2 ? &x2 : nullptr, 0, kept,
-                       kept.manifold);
-    combine_materials(*g1, *g2, kept.manifold);
+    const Pose frame2 = frame_of_anchors(pose_of(*g2), kept.origin, !body2);
+    (void)place_points(pose_of(*g1), frame2, kept.origin, body2 ? &x2 : nullptr, 0, kept, kept.manifold);
+    combine_materials(*g1, *g2, kept.origin, kept.manifold);
     for (int i = 0; i < kManifoldPoints; ++i) kept.manifold.points[i].separation = separation[i];
 }
 

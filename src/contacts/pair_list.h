@@ -28,6 +28,11 @@ struct PairList {
         return pair < 0 ? std::span<const CachedManifold>{} : of(pairs.data()[pair]);
     }
 
+    std::span<CachedManifold> own(const ContactPair& pair)
+    {
+        return manifolds.span().subspan(std::size_t(pair.first), pair.count);
+    }
+
     // A pair of another list, at the end. False: out of memory, and all is as it was.
     [[nodiscard]] bool append(const PairList& other, const ContactPair& pair)
     {

@@ -39,6 +39,13 @@ class RestingPairs {
             if (is_there(pair)) f(pair, list_.of(pair));
     }
 
+    template <typename F>
+    void for_each_own(F&& f)
+    {
+        for (const ContactPair& pair : list_.pairs)
+            if (is_there(pair)) f(pair, list_.own(pair));
+    }
+
   private:
     static constexpr int kEnd = -1;
 

@@ -73,6 +73,8 @@ struct JointType {
     const char* dif_name;                            // in dWorldExportDIF
     void (*describe)(const Joint&, DifWriter& out);  // its fields there
     void (*state)(Joint&, StateStream&);  // in states of the world (dynamics/joint_state.h); null: none
+    // All that lies in the world moves by a vector (dWorldShiftOrigin): its points there; null: it has none.
+    void (*shift)(Joint&, Vec3 by);
     // What it is made of besides that, in clones and files (base/streams/structure_stream.h): anchors, axes, modes.
     void (*structure)(Joint&, StructureStream&);
     // A new joint, neither linked nor attached, as the stream has it. Null: no memory, or the stream fails.

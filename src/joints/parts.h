@@ -39,6 +39,11 @@ struct AnchorPair {
     Vec3 world(const Joint& j, int node) const { return point_to_world(j.node[node].body, local[node]); }
     Vec3 of_user(const Joint& j, int user_index) const { return world(j, node_of(j, user_index)); }
     void reattach(const Joint& j) { set(j, of_user(j, 0)); }
+    void shift(const Joint& j, Vec3 by)  // of the world
+    {
+        for (int i = 0; i < 2; ++i)
+            if (!j.node[i].body) local[i] += by;
+    }
     void structure(StructureStream& stream);
 };
 

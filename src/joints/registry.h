@@ -38,7 +38,8 @@ const JointType* joint_type(int number);
 
 // Says in words what a struct lacks to be a joint type. Optional members: bodies_changed(), set_param(int,
 // Real), get_param(int, Real&), state(StateStream&) of what it keeps from step to step and of its settings
-// that are numbers of motors and softness, kNeedsTwoBodies, axes() and axis_at(int), which give the type
+// that are numbers of motors and softness, kNeedsTwoBodies, shift(Vec3) of what it keeps in the world's
+// frame, axes() and axis_at(int), which give the type
 // coordinates and drives, AxisMotor motor_at(int), which must come with them, LimitMotor* stops_of(int axis)
 // and OwnSoftness* own_softness(), which may be springs in physical units, and, where not all objects of the
 // type are of one pool, destroy() and static Joint* make(World&, StructureStream&).
@@ -127,6 +128,8 @@ constexpr JointType describe_joint(const char* name)
     type.describe = [](const Joint& j, DifWriter& out) { static_cast<const T&>(j).describe(out); };
     if constexpr (requires(T & t, StateStream & stream) { t.state(stream); })
         type.state = [](Joint& j, StateStream& stream) { static_cast<T&>(j).state(stream); };
+    if constexpr (requires(T & t) { t.shift(Vec3{}); })
+        type.shift = [](Joint& j, Vec3 by) { static_cast<T&>(j).shift(by); };
     type.structure = [](Joint& j, StructureStream& stream) { static_cast<T&>(j).structure(stream); };
     type.make = [](World& world, StructureStream& stream) -> Joint* {
         if constexpr (requires { T::make(world, stream); }) {

@@ -22,7 +22,7 @@ struct HandleOf<AnyBody> {
 
 namespace {
 
-constexpr dQueryFilter kEverything{sizeof(dQueryFilter), ~0ul, ~0ul, nullptr, nullptr, nullptr};
+constexpr dQueryFilter kEverything{sizeof(dQueryFilter), ~0ul, ~0ul, nullptr, nullptr, nullptr, 0};
 
 }  // namespace
 
@@ -47,7 +47,8 @@ bool read_filter(const dQueryFilter* given, const char* caller, QueryFilter& fil
                    "skip_body of the filter is destroyed or no body (accepted: a body, or 0 for none)");
         return false;
     }
-    filter = {whole.category_bits, whole.collide_bits, whole.skip_body, whole.callback, whole.data};
+    filter = {whole.category_bits, whole.collide_bits, whole.skip_body,
+              whole.callback,      whole.data,         whole.skip_overlaps != 0};
     return true;
 }
 

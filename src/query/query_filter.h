@@ -17,6 +17,7 @@ struct QueryFilter {
     dBodyID skip_body = nullptr;
     dQueryCallback* callback = nullptr;
     void* data = nullptr;
+    bool skips_overlaps = false;  // casts of shapes alone
 
     bool admits(const Geom& geom) const
     {

@@ -20,6 +20,19 @@ Real just_beyond(Real distance)
     return distance + 4 * kEpsilon * distance + (kSingle ? Real(1e-36) : Real(1e-300));
 }
 
+// How far from its origin a ray may meet, by rounding, the surface that it starts on.
+Real start_of(const RayQuery& query)
+{
+    const Vec3 at = abs(query.origin);
+    return 64 * kEpsilon * (1 + std::max({at.x, at.y, at.z}));
+}
+
+// The surface that the ray starts on, and leaves outward.
+bool leaves(const RayQuery& query, const dContactGeom& hit)
+{
+    return hit.depth <= start_of(query) && dot(load(hit.normal), query.direction) > 0;
+}
+
 }  // namespace
 
 RayProbe::RayProbe() : ShapeGeom<Ray>(kRayType)
@@ -69,7 +82,22 @@ bool RayCaster::hit(const RayQuery& query, Geom& geom, Real length, RayAnswer& o
     ContactArray one{&out.contact, int(sizeof(dContactGeom)), 1, false};
     collide(probe_, geom, one);
     out.candidate = &geom;
-    return one.count > 0;
+    if (one.count == 0 || !leaves(query, out.contact)) return one.count > 0;
+    return hit_beyond(query, geom, length, out);
+}
+
+// What the ray may meet of a mesh or a field after it has left it.
+bool RayCaster::hit_beyond(const RayQuery& query, Geom& geom, Real length, RayAnswer& out)
+{
+    const Real start = 2 * start_of(query);
+    RayQuery later = query;
+    later.origin += start * query.direction;
+    if (!(length > start)) return false;
+    probe_.aim(later, length - start);
+    ContactArray one{&out.contact, int(sizeof(dContactGeom)), 1, false};
+    collide(probe_, geom, one);
+    out.contact.depth += start;
+    return one.count > 0 && !leaves(query, out.contact);
 }
 
 // Calls found(answer) for every geom that is hit within `reach`, which found() may shorten. Collects the
@@ -91,7 +119,7 @@ void RayCaster::walk(Space& space, const RayQuery& query, Real& reach, Found&& f
             probe_.shape.length = reach;
             ContactSink sink(&answer.contact, int(sizeof(dContactGeom)), 1, false);
             pair(probe_, pose_, m, pose_of(m), sink);
-            if (sink.count() == 0) return reach;
+            if (sink.count() == 0 || leaves(query, answer.contact)) return reach;
             answer.candidate = &m;
             answer.contact.g2 = to_handle(&m);
             found(answer);

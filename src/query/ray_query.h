@@ -62,6 +62,7 @@ class RayCaster {
     template <typename Found>
     void ask_waiting(const RayQuery& query, const Real& reach, Found&& found);
     bool hit(const RayQuery& query, Geom& geom, Real length, RayAnswer& out);
+    bool hit_beyond(const RayQuery& query, Geom& geom, Real length, RayAnswer& out);
 
     PairFunction direct(const Geom& geom);
     void aim(const RayQuery& query);

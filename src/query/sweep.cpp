@@ -24,6 +24,14 @@ SweepHit met(Real distance, const Separation& s)
     hit.pos = s.on_b;
     hit.normal = s.normal;
     hit.side = s.side_b;
+    hit.depth = std::max(-s.distance, Real(0));
+    return hit;
+}
+
+SweepHit touched(Real distance, const Separation& s)
+{
+    SweepHit hit = met(distance, s);
+    hit.depth = 0;
     return hit;
 }
 
@@ -37,13 +45,13 @@ SweepHit advance(const Way& way, Real limit, Real touch, const SeparationAt& sep
         s = separation_at(t, limit - t + touch);
         if (!(s.distance < kInf)) return {};
         const Real closing = -dot(way.along, s.normal);
-        if (s.distance < -touch && i == 0) return met(t, s);
+        if (s.distance < -touch && i == 0) return way.skips_overlaps ? SweepHit{} : met(t, s);
         if (closing <= kLevel) return {};
-        if (s.distance <= touch) return met(t, s);
+        if (s.distance <= touch) return touched(t, s);
         t += (s.distance - Real(0.5) * touch) / closing;
         if (t > limit) return {};
     }
-    return met(t, s);  // grazing: stopped a little early
+    return touched(t, s);  // grazing: stopped a little early
 }
 
 ConvexView moved(const ConvexView& v, Vec3 by)
@@ -98,7 +106,7 @@ SweepHit sweep_triangles(const ConvexView& a, const Way& way, const TriangleSet&
 SweepHit sweep_surface(const ConvexView& a, const Way& way, const QueryShape& surface, Real limit)
 {
     Effort effort(mesh_triangles(surface));
-    const Way local = {transposed_times(surface.pose.R, way.along), way.length};
+    const Way local = {transposed_times(surface.pose.R, way.along), way.length, way.skips_overlaps};
     SweepHit hit = sweep_triangles(in_frame(surface.pose, a), local, triangles_of(surface), limit, effort);
     hit.cut_short = effort.is_cut_short();
     hit.pos = surface.pose.to_world(hit.pos);
@@ -110,7 +118,8 @@ SweepHit sweep_mesh(const ConvexView& a, const QueryShape& solid, const Way& way
                     Real limit)
 {
     Separation inside;
-    if (in_mesh(solid, mesh, inside) && inside.distance < -touch_of(a)) return met(0, inside);
+    if (in_mesh(solid, mesh, inside) && inside.distance < -touch_of(a))
+        return way.skips_overlaps ? SweepHit{} : met(0, inside);
     return sweep_surface(a, way, mesh, limit);
 }
 
@@ -118,7 +127,8 @@ SweepHit sweep_field(const ConvexView& a, const QueryShape& solid, const Way& wa
                      Real limit)
 {
     Separation terrain;
-    if (in_terrain(solid, field, terrain) && terrain.distance < -touch_of(a)) return met(0, terrain);
+    if (!way.skips_overlaps && in_terrain(solid, field, terrain) && terrain.distance < -touch_of(a))
+        return met(0, terrain);
     SweepHit hit = sweep_surface(a, way, field, limit);
     hit.side = -1;
     return hit;

@@ -21,6 +21,7 @@ namespace epode {
 struct Way {
     Vec3 along;  // unit
     Real length = 0;
+    bool skips_overlaps = false;  // solids and triangles that overlap at the start are not met
 };
 
 struct SweepHit {
@@ -28,6 +29,7 @@ struct SweepHit {
     Vec3 pos, normal;      // normal: from the other into the solid
     int side = -1;
     Geom* named = nullptr;
+    Real depth = 0;          // of an overlap at the start
     bool cut_short = false;  // parts of the other were not looked at (effort.h)
 
     bool before(const SweepHit& o) const

@@ -66,21 +66,62 @@ void samples(Body& body, StructureStream& stream)
 
 constexpr int kRules = 256;  // a power of two above all rules
 
-void material(Geom& geom, StructureStream& stream)
+constexpr const char* kMaterial = "a material in it has a number that it cannot have";
+
+void material(dMaterial& m, StructureStream& stream)
 {
-    bool has = geom.material != nullptr;
-    stream.flag(has);
-    if (!has || stream.failed()) return;
-    dMaterial m = material_of(geom);
     stream.real(m.friction, kInfinite), stream.real(m.bounce), stream.real(m.bounce_speed, kInfinite);
     stream.reals(m.surface_velocity, 3);
     for (Real* number : {&m.rolling_friction, &m.compliance, &m.damping_time}) stream.real(*number);
     int rule = m.friction_rule + kRules * m.priority;  // one number, as files of before priorities have it
     for (int* number : {&rule, &m.bounce_rule, &m.rolling_friction_rule}) stream.number(*number);
     m.friction_rule = rule & (kRules - 1), m.priority = (rule - m.friction_rule) / kRules;
-    if (stream.saves() || stream.failed()) return;
-    if (stream.demand(usable_material(m), "a material in it has a number that it cannot have"))
-        stream.demand(set_material(geom, &m), kOutOfMemory);
+    if (!stream.is_older_than(6)) stream.real(m.cross_friction, kInfinite), stream.reals(m.friction_axis, 3);
+    stream.demand(usable_material(m), kMaterial);
+}
+
+void own_material(Geom& geom, StructureStream& stream)
+{
+    bool has = geom.material && own_material(geom)->is_given;
+    stream.flag(has);
+    if (!has || stream.failed()) return;
+    dMaterial m = material_of(geom);
+    material(m, stream);
+    if (stream.loads() && !stream.failed()) stream.demand(set_material(geom, &m), kOutOfMemory);
+}
+
+void face_numbers(Geom& geom, StructureStream& stream)
+{
+    const auto had = face_numbers(geom);
+    const int count = stream.count(int(had.size()), 1, "faces");
+    Array<unsigned char> numbers;
+    if (stream.failed() || !stream.demand(numbers.resize(count), kOutOfMemory)) return;
+    if (stream.saves()) std::copy(had.begin(), had.end(), numbers.begin());
+    stream.bytes(numbers.data(), std::size_t(count));
+    if (stream.loads() && !stream.failed())
+        stream.demand(set_face_numbers(geom, numbers.span()), kOutOfMemory);
+}
+
+void face_materials(Geom& geom, StructureStream& stream)
+{
+    for (int number = 1; number <= kMostFaceMaterials && !stream.failed(); ++number) {
+        bool has = has_face_material(geom, number);
+        stream.flag(has);
+        if (!has || stream.failed()) continue;
+        dMaterial m = face_material(geom, number);
+        material(m, stream);
+        if (stream.loads() && !stream.failed())
+            stream.demand(set_face_material(geom, number, &m), kOutOfMemory);
+    }
+}
+
+void materials(Geom& geom, StructureStream& stream)
+{
+    own_material(geom, stream);
+    if (stream.is_older_than(6) || stream.failed()) return;
+    bool has = has_face_materials(geom);
+    stream.flag(has);
+    if (has) face_numbers(geom, stream), face_materials(geom, stream);
 }
 
 }  // namespace
@@ -133,7 +174,7 @@ void structure_of_geom(Geom& geom, StructureStream& stream)
     stream.number(category), stream.number(collide);
     stream.flag(posed);
     if (posed) structure_of_pose(geom.own_position, geom.own_rotation, stream);
-    material(geom, stream);
+    materials(geom, stream);
     stream.pointer(geom.data);
     if (stream.saves()) return;
     geom.category = static_cast<unsigned long>(category), geom.collide = static_cast<unsigned long>(collide);

@@ -7,6 +7,7 @@
 //   2 -> 3   the budget of hybrid steps (state/object_structure.cpp)
 //   3 -> 4   characters (collide/character.cpp)
 //   4 -> 5   fluids (state/world_structure.cpp), vehicles (dynamics/forces/vehicle.cpp)
+//   5 -> 6   friction axes and materials of faces (state/object_structure.cpp)
 #pragma once
 
 #include <cstddef>
@@ -19,7 +20,7 @@ namespace epode {
 
 struct WorldFileHeader {
     static constexpr std::uint32_t kMagic = 0x77736e65;  // "ensw"
-    static constexpr std::uint16_t kVersion = 5;
+    static constexpr std::uint16_t kVersion = 6;
 
     std::uint32_t magic = kMagic;
     std::uint16_t version = kVersion;

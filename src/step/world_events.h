@@ -21,6 +21,7 @@ class WorldEvents {
         return true;
     }
     const EventList& list() const { return list_; }
+    void shift(Vec3 by) { list_.shift(by); }
     void lose() { list_.lose(); }  // the step was left by a function of the program
 
     // `contacts`: null if the step had nothing to do with them.

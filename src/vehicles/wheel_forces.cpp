@@ -29,16 +29,18 @@ MovedBody moved_body(Body& body)
             body.position(), body.velocity(), body.angular_velocity()};
 }
 
-Vec3 surface_velocity(Geom& geom)
+Vec3 surface_velocity(const WheelContact& contact)
 {
-    if (!geom.material) return {};
-    return pose_of(geom).R * load(geom.material->surface_velocity);
+    if (!contact.geom->material) return {};
+    const dMaterial& material = material_at(*contact.geom, contact.pos, contact.normal);
+    return pose_of(*contact.geom).R * load(material.surface_velocity);
 }
 
 // Times the friction of the tyre: the ground's, of which the default material has 1.
-Real friction_of(const Geom& geom)
+Real friction_of(const WheelContact& contact)
 {
-    return std::min(material_of(geom).friction / kDefaultMaterial.friction, Real(100));
+    const dMaterial& material = material_at(*contact.geom, contact.pos, contact.normal);
+    return std::min(material.friction / kDefaultMaterial.friction, Real(100));
 }
 
 }  // namespace
@@ -95,8 +97,8 @@ void WheelForces::stand(int i, const WheelContact& contact)
     if (!contact.geom) return;
     at.stands = true;
     at.ground = ground_of(body_of(*contact.geom));
-    at.factor = friction_of(*contact.geom);
-    at.drift = surface_velocity(*contact.geom);
+    at.factor = friction_of(contact);
+    at.drift = surface_velocity(contact);
     make_lines(i, at, contact);
 }
 

@@ -102,7 +102,7 @@ TEST(WorldFileRefusals, name_the_first_fault)
     other[0] ^= 1;
     expect_refused(other, "these bytes are no world");
     other = file, other[4] = 9;
-    expect_refused(other, "a world of version 9; this library reads versions up to 5");
+    expect_refused(other, "a world of version 9; this library reads versions up to 6");
     other = file, other[6] = sizeof(dReal) == 8 ? 4 : 8;
     expect_refused(other, "a world with numbers of");
     other = file, other[file.size() / 2] ^= 4;

@@ -23,6 +23,7 @@ struct Ball : LastingJoint {
     bool set_param(int param, Real value) { return softness.set(param, value); }
     bool get_param(int param, Real& value) const { return softness.get(param, value); }
     void state(StateStream& stream) { softness.state(*world, stream); }
+    void shift(Vec3 by) { anchor.shift(*this, by); }
     void structure(StructureStream& stream) { anchor.structure(stream); }
     void describe(DifWriter& out) const { epode::describe(out, anchor); }
 };

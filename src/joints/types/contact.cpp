@@ -71,6 +71,7 @@ struct Contact : Joint {
     void write_rolling(RowWriter& out, Vec3 t1, Vec3 t2, Vec3 n) const;
     void tangents(Vec3 n, Vec3& t1, Vec3& t2) const;
     void bound(Row& row, Real coefficient, int approximation) const;
+    void shift(Vec3 by) { pos += by; }
     void structure(StructureStream& stream);
     static Joint* make(World& world, StructureStream& stream);
     void describe(DifWriter& out) const;

@@ -22,6 +22,7 @@ struct DBall : LastingJoint {
     bool set_param(int param, Real value) { return rod.softness.set(param, value); }
     bool get_param(int param, Real& value) const { return rod.softness.get(param, value); }
     void state(StateStream& stream) { rod.softness.state(*world, stream); }
+    void shift(Vec3 by) { rod.shift(*this, by); }
     void structure(StructureStream& stream) { rod.structure(stream); }
     void describe(DifWriter& out) const { rod.describe(out); }
 };

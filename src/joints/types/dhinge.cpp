@@ -28,6 +28,7 @@ struct DHinge : LastingJoint {
     bool set_param(int param, Real value) { return rod.softness.set(param, value); }
     bool get_param(int param, Real& value) const { return rod.softness.get(param, value); }
     void state(StateStream& stream) { rod.softness.state(*world, stream); }
+    void shift(Vec3 by) { rod.shift(*this, by); }
     void structure(StructureStream& stream) { rod.structure(stream), axis.structure(stream); }
     void describe(DifWriter& out) const;
 };

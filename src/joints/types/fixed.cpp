@@ -47,6 +47,10 @@ struct Fixed : LastingJoint {
     bool set_param(int param, Real value) { return softness.set(param, value); }
     bool get_param(int param, Real& value) const { return softness.get(param, value); }
     void state(StateStream& stream) { softness.state(*world, stream); }
+    void shift(Vec3 by)
+    {
+        if (!body2()) offset += by;
+    }
     void structure(StructureStream& stream) { stream.vector(offset), stream.quaternion(zero); }
     void describe(DifWriter& out) const;
 };

@@ -63,6 +63,7 @@ struct Hinge : LastingJoint {
     bool set_param(int param, Real value) { return motor.set(param, value); }
     bool get_param(int param, Real& value) const { return motor.get(param, value); }
     void state(StateStream& stream) { motor.state(*world, stream); }
+    void shift(Vec3 by) { anchor.shift(*this, by); }
     void structure(StructureStream& stream)
     {
         anchor.structure(stream), axis.structure(stream), stream.quaternion(zero);

@@ -59,6 +59,7 @@ struct Hinge2 : LastingJoint {
         for (LimitMotor& m : motor) m.state(*world, stream);
         suspension.state(*world, stream);
     }
+    void shift(Vec3 by) { anchor.shift(*this, by); }
     void structure(StructureStream& stream)
     {
         anchor.structure(stream);

@@ -62,6 +62,7 @@ struct Piston : LastingJoint {
     {
         for (LimitMotor& m : motor) m.state(*world, stream);
     }
+    void shift(Vec3 by) { anchor.shift(*this, by); }
     void structure(StructureStream& stream)
     {
         anchor.structure(stream), axis.structure(stream), stream.quaternion(zero);

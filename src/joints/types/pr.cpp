@@ -74,6 +74,7 @@ struct PR : LastingJoint {
     {
         for (LimitMotor& m : motor) m.state(*world, stream);
     }
+    void shift(Vec3 by) { anchor.shift(*this, by); }
     void structure(StructureStream& stream)
     {
         anchor.structure(stream), axis.structure(stream);

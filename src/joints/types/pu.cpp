@@ -80,6 +80,7 @@ struct PU : LastingJoint {
     {
         for (LimitMotor& m : motor) m.state(*world, stream);
     }
+    void shift(Vec3 by) { anchor.shift(*this, by); }
     void structure(StructureStream& stream)
     {
         anchor.structure(stream), arms.structure(stream), stream.vector(slide_local);

@@ -31,6 +31,10 @@ struct Rod {
         epode::describe(out, softness);
     }
     void lock(const Joint& j, RowWriter& out) const;
+    void shift(const Joint& j, Vec3 by)
+    {
+        if (j.attached()) end.shift(j, by);
+    }
     void structure(StructureStream& stream) { end.structure(stream), stream.real(length); }
 };
 

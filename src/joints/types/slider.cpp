@@ -60,6 +60,10 @@ struct Slider : LastingJoint {
     bool set_param(int param, Real value) { return motor.set(param, value); }
     bool get_param(int param, Real& value) const { return motor.get(param, value); }
     void state(StateStream& stream) { motor.state(*world, stream); }
+    void shift(Vec3 by)
+    {
+        if (!body2()) offset += by;
+    }
     void structure(StructureStream& stream)
     {
         stream.vector(axis_local), stream.vector(offset), stream.quaternion(zero);

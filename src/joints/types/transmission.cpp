@@ -54,6 +54,10 @@ struct Transmission : LastingJoint {
     bool set_param(int param, Real value) { return softness.set(param, value); }
     bool get_param(int param, Real& value) const { return softness.get(param, value); }
     void state(StateStream& stream);
+    void shift(Vec3 by)
+    {
+        for (Vec3& contact : mesh.contact) contact += by;
+    }
     void structure(StructureStream& stream)
     {
         stream.number(mode, int(dTransmissionParallelAxes), dTransmissionChainDrive + 1,

@@ -30,12 +30,16 @@ struct ManifoldLanes {
     BroadLanes friction_mass;  // of both friction rows: 1 / (a bound of the eigenvalues of their 2 x 2 block)
 };
 
-// Additional numbers of manifolds with compliance or rolling friction; zero in the lanes of others.
+// Additional numbers of manifolds with compliance, rolling friction, a friction axis or a bounded impulse; in the lanes of
+// others zero, but for max_impulse.
 struct ManifoldExtra {
     BroadLanes compliance, bias_rate;    // of the spring: C; velocity per penetration
     BroadLanes rolling_friction;         // m
     BroadLanes rolling_mass;             // 1 / (a bound of the eigenvalues of I1^-1 + I2^-1)
     BroadLaneVec3 rolling, rolling_sum;  // of one substep; over all
+    BroadLaneVec3 friction_axis;         // t1 before it is scaled; zero: none
+    BroadLanes s1, s2;                   // lengths of its tangents (rows/contact_manifold.h)
+    BroadLanes max_impulse;              // of a point's normal in a substep
 };
 
 // The separation of points that a lane lacks: so far that they never act. (Zeros would be a contact at the
@@ -65,7 +69,7 @@ struct ManifoldFrictionLanes {
 struct ManifoldBatch {
     int first, count;                            // of the points
     int lanes;                                   // lanes in use: 8, or all
-    ManifoldExtra* extra;                        // null: no lane has compliance or rolling friction
+    ManifoldExtra* extra;                        // null: no lane has such
     ManifoldFrictionLanes* friction;             // null: each point has its own; else the points are there
     int body1[kBroadLanes], body2[kBroadLanes];  // into the motions; ~i: reads i, which does not change
     BroadLanes inv_mass1, inv_mass2;

@@ -281,7 +281,7 @@ void ManifoldSet::fill_batch(const RowSystem& system, const Substep& step, const
     kernels_->gather(batch, points, from, springs);
     if (frequency_limit(step) > kContactFrequency) stiffen(from, step, batch);
     if (batch.extra)
-        for (int lane = 0; lane < batch.lanes; ++lane) fill_extra(*from.manifolds[lane], *batch.extra, lane);
+        for (int lane = 0; lane < batch.lanes; ++lane) fill_extra(*from.manifolds[lane], step.n, batch, lane);
     kernels_->prepare(batch, points, motions_.data(), float(1) / float(step.n));
 }
 
@@ -305,8 +305,18 @@ void ManifoldSet::choose_lane(const RowSystem& system, std::size_t b, int lane, 
     batch.share[lane] = p.count ? 1 / float(p.count) : 0;
 }
 
-void ManifoldSet::fill_extra(const ContactManifold& p, ManifoldExtra& extra, int lane) const
+void ManifoldSet::fill_extra(const ContactManifold& p, int substeps, ManifoldBatch& batch, int lane) const
 {
+    constexpr float kUnbounded = 1e30f;
+    ManifoldExtra& extra = *batch.extra;
+    extra.max_impulse[lane] =
+        p.count > 0 && p.is_bounded() ? p.largest_impulse() / float(substeps) : kUnbounded;
+    if (p.has_friction_axis()) {
+        const FrictionAxes axes(p);
+        set(extra.friction_axis, lane, p.friction_axis);
+        extra.s1[lane] = float(axes.s[0]), extra.s2[lane] = float(axes.s[1]);
+        batch.mu[lane] = float(axes.mu);
+    }
     extra.rolling_friction[lane] = p.rolling_friction;
     if (p.rolling_friction > 0) set(extra.rolling, lane, p.rolling_impulse);
     if (!(p.compliance > 0)) return;

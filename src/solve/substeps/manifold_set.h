@@ -66,7 +66,7 @@ class ManifoldSet {
     int count_batches(std::span<ContactManifold* const> manifolds, std::span<const int> starts) const;
     int cut(std::span<ContactManifold* const> manifolds, std::span<const int> starts);
     bool place_extras(std::span<ContactManifold* const> manifolds, Arena& arena);
-    void fill_extra(const ContactManifold& manifold, ManifoldExtra& extra, int lane) const;
+    void fill_extra(const ContactManifold& manifold, int substeps, ManifoldBatch& batch, int lane) const;
     void fill(const RowSystem& system, const Substep& step);
     void prefetch_lanes(const RowSystem& system, std::size_t batch) const;
     void fill_batch(const RowSystem& system, const Substep& step, const ManifoldSprings& springs,

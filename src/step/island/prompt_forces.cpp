@@ -187,8 +187,8 @@ class PromptForces {
             u += sign * (b.v + cross(b.w, r)), d += b.inv_mass;
         };
         add_end(manifold.body1, widen(point.r1), 1), add_end(manifold.body2, widen(point.r2), -1);
-        return slides(length(widen(point.friction_impulse)), Real(manifold.mu) * Real(point.normal_impulse),
-                      length(u - dot(n, u) * n), d);
+        return slides(friction_size(manifold, widen(point.friction_impulse)),
+                      largest_mu(manifold) * Real(point.normal_impulse), length(u - dot(n, u) * n), d);
     }
 
     void add(const Bearing& row)

@@ -29,7 +29,7 @@ struct Pair {
         Geom &one = *from_handle<Geom>(a), &two = *from_handle<Geom>(b);
         ContactManifold manifold{};
         manifold.normal = {0, 0, 1};
-        exchanged ? combine_materials(two, one, manifold) : combine_materials(one, two, manifold);
+        exchanged ? combine_materials(two, one, {}, manifold) : combine_materials(one, two, {}, manifold);
         return manifold;
     }
 };

@@ -42,16 +42,16 @@ void ImpactFriction::add(const RowBlock& block, int index, Real normal_impulse)
 
 void ImpactFriction::add(const ContactManifold& manifold, ManifoldPoint& point)
 {
-    if (!(manifold.mu > 0)) return;
+    const FrictionAxes axes(manifold);
+    if (!(axes.mu > 0)) return;
     Pair pair;
     pair.body1 = manifold.body1, pair.body2 = manifold.body2, pair.point = &point;
-    Vec3 t[2];
-    plane_space(widen(manifold.normal), t[0], t[1]);
     for (int i : {0, 1}) {
-        pair.J[i] = {t[i], cross(widen(point.r1), t[i]), -t[i], -cross(widen(point.r2), t[i])};
-        pair.c[i] = dot(t[i], widen(manifold.surface_velocity));
-        pair.p[i] = dot(t[i], widen(point.friction_impulse));
-        pair.hi[i] = Real(manifold.mu) * Real(point.normal_impulse);
+        const Vec3 t = axes.scaled(i);
+        pair.J[i] = {t, cross(widen(point.r1), t), -t, -cross(widen(point.r2), t)};
+        pair.c[i] = dot(t, widen(manifold.surface_velocity));
+        pair.p[i] = axes.part(i, widen(point.friction_impulse));
+        pair.hi[i] = axes.mu * Real(point.normal_impulse);
     }
     keep(pair);
 }

@@ -168,6 +168,7 @@ void Restitution::add(const ImpactRow& row, Real rebound)
     if (to.body2 < 0) to.body2 = -1, to.J.lin2 = to.J.ang2 = {};
     to.d = bodies().freedom(to.J, to.J, to.body1, to.body2);
     if (!(to.d > 0)) return;
+    if (row.manifold) to.hi = Real(row.manifold->largest_impulse());
     if (!to.pulls) to.c = rebound > 0 ? rebound : std::min(velocity_of(to), rebound);
     fastest_ = std::max(fastest_, rebound);
     ++count_;
@@ -186,7 +187,8 @@ bool Restitution::sweep()
         if (row.seen > last_change(row.body1, row.body2)) continue;
         row.seen = ++clock_;
         const Real wanted = (row.c - velocity_of(row)) / row.d;
-        const Real dp = row.pulls ? wanted : std::max(wanted, -row.p - row.dp);
+        const Real dp =
+            row.pulls ? wanted : std::min(std::max(wanted, -row.p - row.dp), row.hi - row.p - row.dp);
         if (!(std::fabs(dp) * row.d > kSettled * fastest_)) continue;
         row.dp += dp;
         bodies().push(row.J, row.body1, row.body2, dp);

@@ -47,6 +47,7 @@ class Restitution {
         ManifoldPoint* point;  // of it
         Real d = 0, dp = 0;    // J M^-1 J^T; change of p
         int seen = 0;
+        Real hi = kInf;  // of p + dp
     };
 
     bool rebounds_in(int part) const;

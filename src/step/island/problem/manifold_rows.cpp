@@ -72,6 +72,7 @@ void write_point(RowWriter& out, const Island& island, const ContactManifold& ma
         normal.speed = separation > 0 ? -separation * out.info().fps : 0;
         normal.cap = out.info().contact_max_vel;
     }
+    if (manifold.is_bounded()) normal.hi = Real(manifold.largest_impulse()) * out.info().fps;
     const Real approach = approach_of(normal, island, manifold);
     if (manifold.restitution > 0 && approach > manifold.restitution_threshold &&
         approach > separation * out.info().fps) {
@@ -81,7 +82,7 @@ void write_point(RowWriter& out, const Island& island, const ContactManifold& ma
     for (int i = 0; i < 2; ++i) {
         Row& row = point_row(out, friction.t[i], RowKind::kFriction);
         row.speed = dot(widen(manifold.surface_velocity), friction.t[i]);
-        row.hi = i == 0 ? Real(manifold.mu) : friction.mu2;
+        row.hi = friction.mu[i];
         row.lo = -row.hi;
         row.parent = 0;
     }
@@ -140,7 +141,7 @@ void emit_manifolds(const StepInfo& info, bool cone, IslandWork& work, int& rows
 {
     for (ManifoldEdge* edge : work.island.manifolds) {
         const ContactManifold& manifold = *edge->manifold;
-        const SlipFriction friction(info, work.island, manifold);
+        const SlipFriction friction(info, work.island, manifold, cone);
         for (int i = 0; i < manifold.count; ++i) {
             RowWriter out(&work.system.rows[std::size_t(rows)], info);
             write_point(out, work.island, manifold, manifold.points[i], friction.at(manifold.points[i]));
@@ -159,7 +160,10 @@ void load_manifold_impulses(IslandWork& work, Real share)
         for (int k = 0; k < block.count; ++k) {
             const auto at = std::size_t(block.first + k);
             const Row& row = work.system.rows[at];
-            const Real sliding = dot(widen(point.friction_impulse), row.lin1);
+            // Of a scaled tangent (rows/contact_manifold.h).
+            const Real per =
+                manifold.has_friction_axis() && length2(row.lin1) > 0 ? 1 / length2(row.lin1) : 1;
+            const Real sliding = per * dot(widen(point.friction_impulse), row.lin1);
             const Real couple = dot(widen(manifold.rolling_impulse), row.ang1) / Real(manifold.count);
             const Real p = k == 0 ? Real(point.normal_impulse) : k < kPointRows ? sliding : couple;
             work.system.numbers[at].p = share * p;

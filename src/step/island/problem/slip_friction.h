@@ -7,6 +7,8 @@
 // friction is mu N times the sine of the angle by which s turns during the step: at most dv/|s|,
 //   dv = a few times mu p (1/m1 + 1/m2),   p: normal impulse of the last step,
 // being what friction can change in a step (a few times, because bodies also turn). What sticks has both limits.
+//   Of a surface with a friction axis all this is so for the scaled tangents of its ellipse (FrictionAxes), where slip and
+// friction are those of an isotropic surface.
 //   Points share their directions as long as their slips are alike, and have fixed ones while what pushes is far
 // from moving them: solvers start from the last step's impulses.
 #pragma once
@@ -17,16 +19,17 @@
 
 namespace epode {
 
-// The second direction may have a lower limit than mu.
+// Each direction has its limit, in units of its length.
 struct Friction {
     Vec3 t[2];
-    Real mu2;
+    Real mu[2];
 };
 
 class SlipFriction {
   public:
     // Of a manifold with points, between bodies that have their forces. Not along the slip if `info` does not say so.
-    SlipFriction(const StepInfo& info, const Island& island, const ContactManifold& manifold);
+    // `cone`: the two directions are bounded together.
+    SlipFriction(const StepInfo& info, const Island& island, const ContactManifold& manifold, bool cone);
 
     Friction at(const ManifoldPoint& point) const
     {
@@ -34,15 +37,20 @@ class SlipFriction {
     }
 
   private:
+    Friction fixed() const;
+    bool is_line() const;
     void find_shared();
     Friction along(Vec3 r1, Vec3 r2, Real p) const;
+    Friction along_scaled(Vec3 free, Real dv, Real speed) const;
     Vec3 slip_at(Vec3 r1, Vec3 r2) const;
     Vec3 tangential(Vec3 u) const { return u - dot(n_, u) * n_; }
 
     const ContactManifold& manifold_;
     const Body *body1_, *body2_;
     Vec3 n_, pushed_;  // what forces on the bodies change in the step
-    Real mu_, inv_mass_ = 0;
+    FrictionAxes axes_;
+    Real mu_, inv_mass_ = 0;  // the larger coefficient
+    bool cone_;
     Friction shared_;
     bool shares_ = true;
 };
