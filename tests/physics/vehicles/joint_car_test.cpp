@@ -15,7 +15,7 @@
 namespace epode::vehicles {
 namespace {
 
-constexpr double kTyre = 0.33, kLong = 2.6, kWide = 1.5, kFrame = 1.0 / 60;
+constexpr double kTyre = 0.33, kLong = 2.6, kWide = 1.5, kCarStep = 1.0 / 60;
 
 class JointCar {
   public:
@@ -47,13 +47,13 @@ class JointCar {
     }
     void run(double seconds, bool hybrid, bool with_axis = true)
     {
-        for (int i = 0; i < int(std::lround(seconds / kFrame)); ++i) {
+        for (int i = 0; i < int(std::lround(seconds / kCarStep)); ++i) {
             for (int w = 0; w < 4 && with_axis; ++w) {
                 dVector3 axle;
                 dJointGetHinge2Axis2(joints_[w], axle);
                 dBodySetFiniteRotationAxis(wheels_[w], axle[0], axle[1], axle[2]);
             }
-            ASSERT_EQ((hybrid ? dWorldStepHybrid : dWorldStep)(world_, dReal(kFrame)), 1);
+            ASSERT_EQ((hybrid ? dWorldStepHybrid : dWorldStep)(world_, dReal(kCarStep)), 1);
         }
     }
     double heading() const
@@ -102,7 +102,7 @@ class JointCar {
     }
     void mount(int i, dReal x, dReal y)
     {
-        const dReal up[3] = {0, 0, 1}, axle[3] = {0, 1, 0}, h = dReal(kFrame), k = 40000, d = 4000;
+        const dReal up[3] = {0, 0, 1}, axle[3] = {0, 1, 0}, h = dReal(kCarStep), k = 40000, d = 4000;
         const dJointID joint = joints_[i] = dJointCreateHinge2(world_, nullptr);
         dJointAttach(joint, chassis_, wheels_[i]);
         dJointSetHinge2Anchor(joint, x, y, dReal(kTyre));
