@@ -179,7 +179,7 @@ void GuardList::undo_passed(const CallGuard* by, std::uintptr_t bottom)
 }
 
 // Only memory of the calling thread's stack that is in use is looked at.
-[[gnu::noinline, gnu::no_sanitize("address")]] bool GuardList::intact(const Entry& entry)
+[[gnu::noinline, gnu::no_sanitize_address]] bool GuardList::intact(const Entry& entry)
 {
     return entry.guard->mark_ == entry.mark;
 }

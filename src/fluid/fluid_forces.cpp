@@ -51,8 +51,7 @@ struct Matrix6 {
 class BodyForces {
   public:
     BodyForces(const World& world, const Body& body, Real h)
-        : world_(world),
-          body_(body),
+        : body_(body),
           h_(h),
           gravity_(body.gravity ? world.gravity : Vec3{}),
           inertia_(rotate(body.rotation(), body.inertia))
@@ -192,7 +191,6 @@ class BodyForces {
                length2(b) * kT2 <= body_.sleep.angular_threshold2;
     }
 
-    const World& world_;
     const Body& body_;
     Real h_;
     Vec3 gravity_;

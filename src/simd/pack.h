@@ -150,7 +150,7 @@ EPODE_LANEWISE Pack<T, N> inverse_or_zero(const Pack<T, N>& x)
 template <typename V>
 EPODE_LANEWISE bool any_sign(const V& x)
 {
-    constexpr bool kFloat = sizeof(x[0]) == sizeof(float);
+    [[maybe_unused]] constexpr bool kFloat = sizeof(x[0]) == sizeof(float);
 #if defined(__AVX512F__)
     if constexpr (sizeof(V) == 64 && kFloat) return _mm512_movepi32_mask(__m512i(x)) != 0;
     if constexpr (sizeof(V) == 64 && !kFloat) return _mm512_movepi64_mask(__m512i(x)) != 0;

@@ -8,7 +8,7 @@ namespace epode {
 
 constinit thread_local InHeightFunction::Calls InHeightFunction::calls = {};
 
-[[gnu::noinline, gnu::no_sanitize("address")]] bool InHeightFunction::runs(const InHeightFunction& call)
+[[gnu::noinline, gnu::no_sanitize_address]] bool InHeightFunction::runs(const InHeightFunction& call)
 {
     return !CallGuard::is_left(&call) && call.self_ == &call;
 }

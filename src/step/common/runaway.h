@@ -20,7 +20,7 @@ inline bool runs_away(const Body& body)
 {
     bool fast = false;
     for (int i = 0; i < 3; ++i)
-        fast |= !within(body.lvel[i], kRunawaySpeed) | !within(body.avel[i], kRunawaySpeed);
+        fast |= int{!within(body.lvel[i], kRunawaySpeed)} | int{!within(body.avel[i], kRunawaySpeed)};
     return fast;
 }
 
