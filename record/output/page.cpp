@@ -10,6 +10,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "record/file/deflate.h"
 #include "record/file/whole_file.h"
 #include "record/output/animation.h"
 #include "record/output/page_data.h"
@@ -95,14 +96,15 @@ bool write_page(const Recording& recording, const std::string& path, double fps,
     const std::string text = page_template(problem);
     if (text.empty()) return false;
     if (!can_animate(recording, fps, problem)) return false;
-    const PageData data = make_page_data(recording, fps);
+    PageData data = make_page_data(recording, fps);
+    for (const Columns& columns : data.smooth) rearrange(data.block, columns);
     const std::string name = recording.about_value("scene");
     std::string title, page;
     append_escaped(title, name.empty() ? "Recording" : name);
     std::string_view rest = text;
     if (!replace_mark(page, rest, "EPODE_TITLE", title) ||
         !replace_mark(page, rest, "EPODE_HEAD", data.head) ||
-        !replace_mark(page, rest, "EPODE_DATA", base64(data.block))) {
+        !replace_mark(page, rest, "EPODE_DATA", base64(deflated(data.block)))) {
         problem = "the template of the replay page lacks a mark";
         return false;
     }

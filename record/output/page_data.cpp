@@ -73,7 +73,7 @@ class PageBuilder {
         contacts();
         joints();
         json_.end_object();
-        return {json_.text(), block_.bytes()};
+        return {json_.text(), block_.bytes(), smooth_};
     }
 
   private:
@@ -95,11 +95,15 @@ class PageBuilder {
         while (block_.bytes().size() % 4 != 0) block_.u8(0);
         const size_t offset = block_.bytes().size();
         fill();
-        json_.key(name)
-            .array()
-            .value(offset)
-            .value((block_.bytes().size() - offset) / bytes_each)
-            .end_array();
+        last_ = {offset, (block_.bytes().size() - offset) / bytes_each, 1};
+        json_.key(name).array().value(last_.offset).value(last_.values).end_array();
+    }
+
+    // The last array has rows of so many numbers, one after the other in time.
+    void is_smooth(size_t width)
+    {
+        last_.width = width;
+        smooth_.push_back(last_);
     }
 
     void moments()
@@ -216,11 +220,13 @@ class PageBuilder {
                 for (size_t k = 0; k < 3; ++k) put16(sixteen(boxes[i].part(k, pose.pos[k])));
             });
         });
+        is_smooth(3);
         array("turns", 2, [&] {
             each_key([&](size_t, const Pose& pose) {
                 for (double value : pose.turn) put16(std::uint16_t(std::int16_t(std::lround(value * 32767))));
             });
         });
+        is_smooth(4);
         lives();
         json_.end_object();
     }
@@ -345,6 +351,8 @@ class PageBuilder {
     Animation animation_;
     Json json_;
     ByteWriter block_;
+    Columns last_;
+    std::vector<Columns> smooth_;
 };
 
 }  // namespace

@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "record/file/recording.h"
+#include "record/output/columns.h"
 
 namespace epode::record {
 
 struct PageData {
     std::string head;
     std::vector<std::uint8_t> block;
+    std::vector<Columns> smooth;  // arrays of the block that the page rearranges
 };
 
 PageData make_page_data(const Recording& recording, double fps);

@@ -105,6 +105,17 @@ const played = await get('time');
 await page.evaluate(() => window.epode.play(false));
 check(played > 0.15, `playing advances: ${played.toFixed(2)} s`);
 
+// A run begins again when its end has been seen, or stops there.
+const runs_out = async () => {
+    await page.evaluate(() => { window.epode.seek(window.epode.end - 0.01); window.epode.play(true); });
+    await page.waitForFunction(() => !window.epode.playing || window.epode.time < window.epode.end - 0.05, null, {timeout: 30000}).catch(() => {});
+    return page.evaluate(() => [window.epode.playing, window.epode.time < window.epode.end - 0.05]);
+};
+check((await runs_out()).join() === 'true,true', 'at its end a run begins again');
+await page.evaluate(() => document.getElementById('loop').click());
+check((await runs_out()).join() === 'false,false', 'without looping it stops there');
+await page.evaluate(() => window.epode.play(false));
+
 const end = await get('end');
 await page.locator('#timeline').focus();
 await page.evaluate(() => {

@@ -18,6 +18,7 @@ function complain(text) {
 }
 
 const kRest = 400;  // ms without a change after which a picture is fine
+const kPause = 800;  // ms at the end of a run that begins again
 
 class Player {
     constructor(recording) {
@@ -65,6 +66,15 @@ class Player {
         this.dirty = true;
     }
 
+    // At the end it stops, or begins again when the end has been seen.
+    finish(now) {
+        if (!element('loop').checked) return this.play(false);
+        this.ended ??= now;
+        if (now - this.ended < kPause) return;
+        this.ended = undefined;
+        this.seek(this.start);
+    }
+
     step(moments) {
         this.play(false);
         const at = this.poses.find(this.time + 1e-6) + moments;
@@ -101,7 +111,7 @@ class Player {
         this.last = now;
         if (this.playing) {
             this.seek(this.time + this.speed * spent);
-            if (this.time >= this.end) this.play(false);
+            if (this.time >= this.end) this.finish(now); else this.ended = undefined;
         }
         this.keep_pace(now, 1000 * spent);
         if (this.dirty) this.draw();
@@ -259,6 +269,7 @@ function wire_view(player) {
         PageUp: () => player.choose_next(-1),
         Escape: () => player.choose(-1),
         f: () => element('follow').click(),
+        l: () => element('loop').click(),
         c: () => element('contacts').click(),
         j: () => element('joints').click(),
     };
@@ -281,8 +292,9 @@ function wire_view(player) {
     fit();
 }
 
-try {
-    const recording = load_recording(document);
+async function begin() {
+    document.body.classList.toggle('embedded', /^#embed\b/.test(location.hash));
+    const recording = await load_recording(document);
     describe(recording);
     const player = new Player(recording);
     wire_controls(player);
@@ -296,7 +308,9 @@ try {
     };
     requestAnimationFrame(loop);
     if (!window.matchMedia('(prefers-reduced-motion: reduce)').matches) player.play(true);
-} catch (error) {
-    complain(`This page cannot show its recording: ${error.message}. It needs a browser with WebGL 2.`);
-    throw error;
 }
+
+begin().catch(error => {
+    complain(`This page cannot show its recording: ${error.message}. It needs a browser with WebGL 2 and DecompressionStream.`);
+    throw error;
+});

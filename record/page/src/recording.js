@@ -1,21 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The recording inside the page: a JSON head that says what is where, and one block of little-endian numbers.
+// The recording inside the page: a JSON head that says what is where, and one block of little-endian numbers, compressed.
 // record/output/page.cpp writes both.
 
-function bytes_of(base64) {
+async function bytes_of(base64) {
     const text = atob(base64);
     const bytes = new Uint8Array(text.length);
     for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
-    return bytes.buffer;
+    return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'))).arrayBuffer();
 }
 
-export function load_recording(document) {
+// Puts back what record/output/columns.h has rearranged: second differences of each column, low bytes before high bytes.
+export function put_back(block, [offset, count], width) {
+    const rows = Math.floor(count / width), bytes = new Uint8Array(block, offset, 2 * count).slice(), out = new Uint16Array(block, offset, count);
+    for (let column = 0; column < width; ++column) {
+        let one = 0, two = 0;
+        for (let row = 0; row < rows; ++row) {
+            const at = column * rows + row, folded = bytes[at] | bytes[width * rows + at] << 8;
+            const now = (folded >> 1 ^ -(folded & 1)) + 2 * one - two & 0xffff;
+            out[row * width + column] = now;
+            two = one;
+            one = now;
+        }
+    }
+}
+
+export async function load_recording(document) {
     const head = JSON.parse(document.getElementById('head').textContent);
     const element = document.getElementById('data');
-    const block = bytes_of(element.textContent.trim());
+    const block = await bytes_of(element.textContent.trim());
     element.textContent = '';  // not needed twice in memory
+    put_back(block, head.carriers.positions, 3);
+    put_back(block, head.carriers.turns, 4);
     const view = (type, [offset, count]) => new type(block, offset, count);
     return {
         ...head,
