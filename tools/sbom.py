@@ -22,6 +22,7 @@ USED = [
     ("libepode_robots", "libstb-dev", "MIT"),
     ("epode", "libcli11-dev", "BSD-3-Clause"),
     ("epode", "libfmt-dev", "MIT"),
+    ("epode", "zlib1g-dev", "Zlib"),
     ("epode", "libepoxy-dev", "MIT"),
     ("epode", "libglfw3-dev", "Zlib"),
     ("epode", "libimgui-dev", "MIT"),
