@@ -55,9 +55,17 @@ struct Contact : Joint {
     // Below this a contact may close: rounding, and what sweeps leave over where it is one of several.
     Real touching_depth(const StepInfo& info, bool several) const
     {
+        return rounding() + (several ? info.touching_depth : std::min(info.touching_depth, Real(0)));
+    }
+    // Of the depth. In floats a floor knows nothing of how far away along it a body lies: 60 m were 0.06 mm, which bodies sank
+    // by and closed again in every substep, with a fifth of friction too much. (Doubles lose nothing that shows.)
+    Real rounding() const
+    {
         constexpr Real kDigits = 8 * std::numeric_limits<Real>::epsilon();
-        const Real rounding = kDigits * std::max({std::fabs(pos.x), std::fabs(pos.y), std::fabs(pos.z)});
-        return rounding + (several ? info.touching_depth : std::min(info.touching_depth, Real(0)));
+        const auto largest = [](Vec3 a) { return std::max({a.x, a.y, a.z}); };
+        if (!kSingle) return kDigits * largest(abs(pos));
+        const Vec3 n = abs(normal), x = abs(pos), arm = abs(pos - body1()->position());
+        return kDigits * std::max(dot(n, x), largest(arm));
     }
     Vec3 outward() const { return reverse ? -normal : normal; }  // into body 1
     Real mu2() const { return has(dContactMu2) ? surface().mu2 : mu; }
