@@ -100,6 +100,7 @@ EXCEPTIONS = [
     ("src/vehicles/*", "ground", "", "what a wheel stands on: the field's term"),
     ("src/dynamics/forces/vehicle.*", "ground", "", "what a wheel stands on"),
     ("src/collide/character.*", "ground", "", "what a character stands on"),
+    ("src/state/shift_origin.cpp", "ground", "", "what a wheel or a character stands on"),
     ("src/state/world_state.cpp", "ground", r"character|vehicle|visit_ground|grounds|wheel|ground = number|known = ground|\*ground", "what a character stands on"),
     ("src/step/*", "small steps", r"[Ff]ast1|StepFast", "the 0.039 guide's stepper"),
     ("cli/*", "plan", "", "the plan of a run: steps, stepper, threads"),

@@ -68,7 +68,7 @@ ODE_API dWorldID dWorldLoadFromBuffer(const void* buffer, size_t size, dSpaceID*
 /** Makes the point offset (m, world) the new origin: subtracts it from the places of bodies, geoms of the space
     without bodies (0: the contact space), planes, anchors at the world, contacts, events, characters, vehicles
     and fluids. Nothing wakes or moves against anything else (docs/guide/howto/large_worlds.md). A history
-    begins anew; states of before do not fit where planes or joints are at the world. Returns 1. Refused: a call
+    begins again; states of before do not fit where planes or joints are at the world. Returns 1. Refused: a call
     during a step or a collision of the space; a space with geoms of another world's bodies; coordinates that
     would be no usable numbers; an offset along z in a world with plane joints, which hold bodies at z = 0.
     [ours] */

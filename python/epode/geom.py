@@ -3,10 +3,11 @@
 """Geoms: shapes that are somewhere."""
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import c
 from ._handle import FloatArray, Object, flag, reads_and_sets, three, vector
@@ -93,6 +94,20 @@ class Geom(Object):
         if value is not None and not isinstance(value, Material):
             raise TypeError(f"a Material, such as epode.Material(friction=0.5), is expected, not {value!r}")
         c.dGeomSetMaterial(self._handle, None if value is None else value._to_c())
+
+    def set_face_materials(self, numbers: ArrayLike, materials: Mapping[int, Material | None]) -> None:
+        """Give the triangles of a mesh, in their order, or the cells of a height field (cell (i, j) by i + j (samples along the first
+        axis - 1)) materials by numbers from 1 to 255; 0, or one without a material, is the geom's own. Empty numbers: all are."""
+        for number, material in materials.items():
+            if material is not None and not isinstance(material, Material):
+                raise TypeError(f"materials: a Material is expected, not {material!r}")
+            c.dGeomSetFaceMaterial(self._handle, number, None if material is None else material._to_c())
+        c.dGeomSetFaceMaterialNumbers(self._handle, np.asarray(numbers, np.uint8).ravel())
+
+    @property
+    def face_numbers(self) -> NDArray[np.uint8]:
+        """The numbers that ``set_face_materials`` has given to the faces; empty: all have the geom's own material."""
+        return c.dGeomGetFaceMaterialNumbers(self._handle)
 
     def distance(self, other: Geom) -> float | None:
         """The signed distance to another geom, m (below 0: minus the depth); None where there is none."""

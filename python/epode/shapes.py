@@ -237,7 +237,8 @@ class HeightField(Shape):
 @dataclasses.dataclass
 class Material:
     """The surface of a geom. friction: Coulomb's coefficient; bounce: restitution, 0 to 1; compliance: m/N. The rules say how
-    the coefficients of a pair follow from those of its two geoms; of two priorities the larger one's geom alone says them."""
+    the coefficients of a pair follow from those of its two geoms; of two priorities the larger one's geom alone says them.
+    friction_axis: in the geom's frame; friction counts along it, cross_friction across it (an ellipse); 0: in all directions."""
     friction: float = 0.6
     bounce: float = 0.0
     bounce_speed: float = 1.0
@@ -249,6 +250,8 @@ class Material:
     bounce_rule: CombineRule = CombineRule.DEFAULT
     rolling_friction_rule: CombineRule = CombineRule.DEFAULT
     priority: int = 0
+    cross_friction: float = 0.6
+    friction_axis: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def _to_c(self) -> c.dMaterial:
         material = c.dMaterial()
@@ -259,7 +262,8 @@ class Material:
     @classmethod
     def _from_c(cls, material: c.dMaterial) -> Material:
         values = {f.name: getattr(material, f.name) for f in dataclasses.fields(cls)}
-        values["surface_velocity"] = tuple(float(v) for v in values["surface_velocity"])
+        for name in ("surface_velocity", "friction_axis"):
+            values[name] = tuple(float(v) for v in values[name][:3])
         for name in ("friction_rule", "bounce_rule", "rolling_friction_rule"):
             values[name] = CombineRule(values[name])
         return cls(**values)

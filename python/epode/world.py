@@ -612,6 +612,18 @@ class World(Object):
         found = c.dSpaceOverlap(self._space_handle, geom._handle, filter)
         return [self._geoms[one.id] for one in found if one.id in self._geoms]
 
+    def cast(self, geom: Geom, motion: ArrayLike, *, filter: c.dQueryFilter | None = None) -> NDArray[typing.Any]:
+        """All that a geom would hit if it moved by ``motion``, m, each geom once, the nearest first: a structured array with geom
+        (``geom_of`` finds it), pos, normal, distance, side, face_normal and depth (of an overlap at the beginning)."""
+        if not isinstance(geom, Geom):
+            raise TypeError(f"a Geom, such as one of body.geoms, is expected, not {geom!r}")
+        return c.dSpaceCastAll(self._space_handle, geom._handle, motion, filter)
+
+    def shift_origin(self, offset: ArrayLike) -> None:
+        """Make the point offset, m, the new origin of the world, for worlds that are too large for their numbers: nothing moves against
+        anything else, and what could be rolled back is gone."""
+        c.dWorldShiftOrigin(self._handle, self._space_handle, three(offset, "offset"))
+
     def radial_impulse(self, center: ArrayLike, radius: float, impulse: float, *, falloff: Falloff = Falloff.LINEAR,
                        occlusion: bool = False, filter: c.dQueryFilter | None = None) -> int:
         """Give an impulse, N s, away from the centre to each body within the radius, m: what the falloff leaves at its nearest

@@ -105,11 +105,13 @@ nb::object joint_states(const JointList& joints, int stride)
 nb::object material_type()
 {
     using M = dMaterial;
-    return dtype_of({FIELD(M, friction, "f8"), FIELD(M, bounce, "f8"), FIELD(M, bounce_speed, "f8"),
-                     FIELD(M, surface_velocity, "3f8"), FIELD(M, rolling_friction, "f8"),
-                     FIELD(M, compliance, "f8"), FIELD(M, damping_time, "f8"), FIELD(M, friction_rule, "i4"),
-                     FIELD(M, bounce_rule, "i4"), FIELD(M, rolling_friction_rule, "i4")},
-                    sizeof(M));
+    return dtype_of(
+        {FIELD(M, friction, "f8"), FIELD(M, bounce, "f8"), FIELD(M, bounce_speed, "f8"),
+         FIELD(M, surface_velocity, "3f8"), FIELD(M, rolling_friction, "f8"), FIELD(M, compliance, "f8"),
+         FIELD(M, damping_time, "f8"), FIELD(M, friction_rule, "i4"), FIELD(M, bounce_rule, "i4"),
+         FIELD(M, rolling_friction_rule, "i4"), FIELD(M, priority, "i4"), FIELD(M, cross_friction, "f8"),
+         FIELD(M, friction_axis, "3f8")},
+        sizeof(M));
 }
 
 using Geoms = std::vector<GeomHandle*>;

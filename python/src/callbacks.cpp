@@ -359,6 +359,13 @@ void bind_callbacks(nb::module_& m)
         .def_rw("rolling_friction", &dManifold::rolling_friction)
         .def_rw("compliance", &dManifold::compliance)
         .def_rw("damping_time", &dManifold::damping_time)
+        .def_rw("cross_friction", &dManifold::cross_friction)
+        .def_rw("max_impulse", &dManifold::max_impulse)
+        .def_prop_rw(
+            "friction_axis", [](const dManifold& m) { return array_of(m.friction_axis, 3); },
+            [](dManifold& m, nb::object v) {
+                std::copy_n(numbers<3>(v, "friction_axis").v, 3, m.friction_axis);
+            })
         .def_prop_rw(
             "surface_velocity", [](const dManifold& m) { return array_of(m.surface_velocity, 3); },
             [](dManifold& m, nb::object v) {

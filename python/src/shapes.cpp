@@ -78,6 +78,28 @@ nb::object convex_array(const GeomHandle* geom)
     return result;
 }
 
+void set_face_numbers(const GeomHandle* geom, nb::object numbers)
+{
+    const auto all = array_in<std::uint8_t>(numbers);
+    if (all.size > (1u << 30)) throw nb::value_error("at most 2^30 faces are possible");
+    Call call;
+    call.uses(get(geom));
+    dGeomSetFaceMaterialNumbers(get(geom), all.data, int(all.size));
+    call.done();
+}
+
+nb::object get_face_numbers(const GeomHandle* geom)
+{
+    Call call;
+    call.uses(get(geom));
+    const int count = std::max(dGeomGetFaceMaterialNumbers(get(geom), nullptr, 0), 0);
+    std::vector<std::uint8_t> numbers(static_cast<size_t>(count));
+    if (count) dGeomGetFaceMaterialNumbers(get(geom), numbers.data(), count);
+    call.done();
+    nb::object bytes = nb::bytes(reinterpret_cast<const char*>(numbers.data()), numbers.size());
+    return nb::module_::import_("numpy").attr("fromiter")(bytes, "u1");
+}
+
 nb::object triangles(const GeomHandle* geom, int segments)
 {
     Call call;
@@ -157,6 +179,10 @@ void bind_shapes(nb::module_& m)
             return result;
         },
         "convex"_a.none(), TEXT(dGeomConvexGetPolygons));
+    m.def("dGeomSetFaceMaterialNumbers", set_face_numbers, "geom"_a.none(), "numbers"_a,
+          TEXT(dGeomSetFaceMaterialNumbers));
+    m.def("dGeomGetFaceMaterialNumbers", get_face_numbers, "geom"_a.none(),
+          TEXT(dGeomGetFaceMaterialNumbers));
     m.def("dGeomGetTriangles", triangles, "geom"_a.none(), "segments"_a = 24, TEXT(dGeomGetTriangles));
 #define HEIGHTS(name, type)                                                                        \
     m.def("dGeomHeightfieldDataBuild" #name, build_heights<dGeomHeightfieldDataBuild##name, type>, \

@@ -213,6 +213,28 @@ nb::object ray_batch(const SpaceHandle* space, nb::object origins, nb::object di
     return result;
 }
 
+nb::object cast_type()
+{
+    using H = dCastHit;
+    return dtype_of(
+        {FIELD(H, geom, "u8"), FIELD(H, pos, "3f8"), FIELD(H, normal, "3f8"), FIELD(H, distance, "f8"),
+         FIELD(H, side, "i4"), FIELD(H, face_normal, "3f8"), FIELD(H, depth, "f8")},
+        sizeof(H));
+}
+
+nb::object cast_all(const SpaceHandle* space, const GeomHandle* geom, nb::object motion, const Filter* filter)
+{
+    const auto way = numbers<3>(motion, "motion");
+    const dReal to[4] = {way.v[0], way.v[1], way.v[2]};
+    Call call;
+    call.uses(space_of(space));
+    nb::object result = records<dCastHit>(type_of<cast_type>(), [&](dCastHit* hits, int n) {
+        return dSpaceCastAll(space_of(space), get(geom), to, filter_of(filter), hits, n);
+    });
+    call.done();
+    return result;
+}
+
 nb::list overlap(const SpaceHandle* space, const GeomHandle* geom, const Filter* filter)
 {
     Call call;
@@ -352,6 +374,8 @@ void bind_written(nb::module_& m)
           "filter"_a.none() = nb::none(), TEXT(dSpaceRayAll));
     m.def("dSpaceRayBatch", ray_batch, "space"_a.none(), "origins"_a, "directions"_a, "lengths"_a,
           "filter"_a.none() = nb::none(), "threads"_a = 0, TEXT(dSpaceRayBatch));
+    m.def("dSpaceCastAll", cast_all, "space"_a.none(), "geom"_a.none(), "motion"_a,
+          "filter"_a.none() = nb::none(), TEXT(dSpaceCastAll));
     m.def("dSpaceOverlap", overlap, "space"_a.none(), "geom"_a.none(), "filter"_a.none() = nb::none(),
           TEXT(dSpaceOverlap));
     m.def("dCollide", collide, "o1"_a.none(), "o2"_a.none(), "flags"_a = 8, TEXT(dCollide));

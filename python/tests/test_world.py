@@ -265,6 +265,60 @@ def test_materials(world):
         plane.material = epode.Material(bounce=7)
 
 
+def test_friction_with_an_axis_is_less_across_it(world):
+    """Pushed along and across grooves: a = g (tan of the slope) less mu g; here sliding on a plane: v - mu g t."""
+    world.plane(material=epode.Material(friction=0.5, cross_friction=0.1, friction_axis=(1, 0, 0), friction_rule=epode.enums.CombineRule.MINIMUM))
+    blocks = [world.body(mass=1, shape=epode.Box(1, 1, 0.2), position=(0, 10 * i, 0.1), material=epode.Material(friction=1)) for i in range(2)]
+    world.step(0.002, steps=50)
+    blocks[0].velocity, blocks[1].velocity = (3, 0, 0), (0, 3, 0)
+    world.step(0.002, steps=100)
+    assert blocks[0].velocity[0] == pytest.approx(3 - 0.5 * 9.81 * 0.2, abs=0.02)
+    assert blocks[1].velocity[1] == pytest.approx(3 - 0.1 * 9.81 * 0.2, abs=0.02)
+    material = next(iter(world.geoms)).material
+    assert material.friction_axis == (1, 0, 0) and material.cross_friction == pytest.approx(0.1)
+
+
+def test_faces_of_a_mesh_have_materials(world):
+    vertices = np.array([(-5, -5, 0), (5, -5, 0), (5, 5, 0), (-5, 5, 0), (15, -5, 0), (15, 5, 0)], float)
+    ground = world.geom(epode.Mesh(vertices, np.array([(0, 1, 2), (0, 2, 3), (1, 4, 5), (1, 5, 2)], np.uint32)),
+                        material=epode.Material(friction=1))
+    ground.set_face_materials([0, 0, 1, 1], {1: epode.Material(friction=0)})
+    assert list(ground.face_numbers) == [0, 0, 1, 1]
+    blocks = [world.body(mass=1, shape=epode.Box(1, 1, 0.2), position=(x, 0.5, 0.1), material=epode.Material(friction=1)) for x in (0, 10)]
+    world.step(0.002, steps=50)
+    for block in blocks:
+        block.velocity = (0, 1, 0)
+    world.step(0.002, steps=150)
+    assert abs(blocks[0].velocity[1]) < 1e-3 and blocks[1].velocity[1] == pytest.approx(1, abs=1e-3)
+    with pytest.raises(epode.RefusedError):
+        ground.set_face_materials([0, 1], {})
+    ground.set_face_materials([], {1: None})
+    assert len(ground.face_numbers) == 0
+
+
+def test_a_cast_finds_all_that_is_on_the_way_in_order(world):
+    balls = [world.geom(epode.Sphere(0.5), position=(x, 0, 5)) for x in (9, 3, 6)]
+    probe = world.geom(epode.Sphere(0.5), position=(0, 0, 5))
+    hits = world.cast(probe, (20, 0, 0))
+    np.testing.assert_allclose(hits["distance"], [2, 5, 8], atol=1e-6)
+    assert [world.geom_of(hit["geom"]) for hit in hits] == [balls[1], balls[2], balls[0]]
+
+
+def test_the_origin_can_be_shifted_and_nothing_moves(world):
+    world.plane()
+    ball = world.body(mass=1, shape=epode.Sphere(0.5), position=(1000, 0, 0.5))
+    pendulum = world.body(mass=1, position=(1001, 0, 3))
+    joint = world.joint("ball", pendulum, anchor=(1000, 0, 3))
+    world.step(0.01, steps=20)
+    before, anchor = [body.position.copy() for body in (ball, pendulum)], np.array(joint.anchor)
+    world.shift_origin((1000, 0, 0))
+    for body, place in zip((ball, pendulum), before, strict=True):
+        np.testing.assert_allclose(body.position, place - (1000, 0, 0), atol=1e-9)
+    np.testing.assert_allclose(joint.anchor, anchor - (1000, 0, 0), atol=1e-9)
+    world.step(0.01, steps=20)
+    assert np.linalg.norm(pendulum.position - (0, 0, 3)) == pytest.approx(1, abs=1e-3) and ball.position[2] == pytest.approx(0.5, abs=1e-3)
+
+
 def test_destroyed_objects_raise():
     world = epode.World()
     ground = world.plane()

@@ -37,6 +37,9 @@ WRITTEN = {
                     "filter: dQueryFilter | None = None) -> NDArray[Any]",
     "dSpaceRayBatch": "(space: dSpaceID | None, origins: ArrayLike, directions: ArrayLike, lengths: ArrayLike, "
                       "filter: dQueryFilter | None = None, threads: int = 0) -> NDArray[Any]",
+    "dSpaceCastAll": "(space: dSpaceID | None, geom: dGeomID | None, motion: ArrayLike, filter: dQueryFilter | None = None) -> NDArray[Any]",
+    "dGeomSetFaceMaterialNumbers": "(geom: dGeomID | None, numbers: ArrayLike) -> None",
+    "dGeomGetFaceMaterialNumbers": "(geom: dGeomID | None) -> NDArray[Any]",
     "dSpaceOverlap": "(space: dSpaceID | None, geom: dGeomID | None, filter: dQueryFilter | None = None) -> list[dGeomID]",
     "dCollide": "(o1: dGeomID | None, o2: dGeomID | None, flags: int = 8) -> list[dContactGeom]",
     "dConnectingJointList": "(body1: dBodyID | None, body2: dBodyID | None) -> list[dJointID]",
@@ -106,7 +109,13 @@ class dManifold:
     rolling_friction: float
     compliance: float
     damping_time: float
+    cross_friction: float
+    max_impulse: float
     def __init__(self) -> None: ...
+    @property
+    def friction_axis(self) -> FloatArray: ...
+    @friction_axis.setter
+    def friction_axis(self, value: ArrayLike) -> None: ...
     @property
     def g1(self) -> dGeomID | None: ...
     @property

@@ -30,9 +30,9 @@ bool deflate_all(z_stream& stream, std::span<const std::uint8_t> bytes, std::vec
         stream.next_in = const_cast<std::uint8_t*>(bytes.data());
         stream.avail_in = uInt(piece);
         bytes = bytes.subspan(piece);
-        const std::size_t room = out.size();
-        out.resize(room + deflateBound(&stream, uLong(piece)) + kMargin);
-        stream.next_out = out.data() + room, stream.avail_out = uInt(out.size() - room);
+        const std::size_t end = out.size();
+        out.resize(end + deflateBound(&stream, uLong(piece)) + kMargin);
+        stream.next_out = out.data() + end, stream.avail_out = uInt(out.size() - end);
         const int result = deflate(&stream, bytes.empty() ? Z_FINISH : Z_FULL_FLUSH);
         out.resize(out.size() - stream.avail_out);
         if (result != Z_OK && result != Z_STREAM_END) return false;

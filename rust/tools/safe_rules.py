@@ -7,11 +7,11 @@ where, which it leaves out and why, and what a C int means. The first pattern th
 WRITTEN = (
     r"dWorld(Create|Destroy|SetContactSpace|GetContactSpace|SetContactFilter|GetContactEvents|GetContacts|GetEvents|Diagnose"
     r"|GetBrokenJoints|UseDefaults|GetState\w*|SetState\w*|SetHistory|GetHistory|RollBack|GetBodies|GetJoints|Step|QuickStep"
-    r"|StepFast1|StepHybrid|Clone|CountHandles|Save|SaveToBuffer|Load|LoadFromBuffer)",
+    r"|StepFast1|StepHybrid|ShiftOrigin|Clone|CountHandles|Save|SaveToBuffer|Load|LoadFromBuffer)",
     r"dBody(Create|Destroy|SetMovedCallback|GetFirstGeom|GetNextGeom|SetMass|GetMass|GetJoint|SetData|GetData|GetWorld)",
     r"dJoint(Destroy|Attach|SetFeedback|GetFeedback|SetCouplingAxis|GetCouplingJoint|SetHinge2Axes|GetType|SetData|GetData"
     r"|Create\w+|GetBody)",
-    r"dGeom(Destroy|SetBody|GetBody|SetData|GetData|GetDistance|Cast|GetTriangles|TriMeshGetTriangle|GetClass|GetBodyNext|GetSpace)",
+    r"dGeom(Destroy|SetFaceMaterialNumbers|GetFaceMaterialNumbers|SetBody|GetBody|SetData|GetData|GetDistance|Cast|GetTriangles|TriMeshGetTriangle|GetClass|GetBodyNext|GetSpace)",
     r"dCharacter(SettingsInit|Create|SetSettings|GetSettings)",
 )
 

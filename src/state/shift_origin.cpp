@@ -4,6 +4,7 @@
 
 #include "base/objects/structure_edition.h"
 #include "collide/character.h"
+#include "collide/pose_hash.h"
 #include "collide/types/registry.h"
 #include "dynamics/forces/fluid.h"
 #include "dynamics/forces/vehicle.h"
@@ -48,6 +49,10 @@ class OriginShift {
 
     void run()
     {
+        for_wheels_on_ground([](VehicleWheel& wheel, Geom& ground) {
+            if (wheel.ground_pose != pose_hash(ground))
+                wheel.ground_pose = 0;  // it has moved: noticed by the next step
+        });
         for (Body& body : world_.bodies) shift(body);
         for (Joint& joint : world_.joints)
             if (joint.type->shift) joint.type->shift(joint, by_);
@@ -58,6 +63,9 @@ class OriginShift {
                 return true;
             });
         for (Fluid* fluid : world_.fluids) fluid->offset += dot(fluid->normal, by_);
+        for_wheels_on_ground([](VehicleWheel& wheel, Geom& ground) {
+            if (wheel.ground_pose != 0) wheel.ground_pose = pose_hash(ground);
+        });
         if (StepState* const state = world_.step_state)
             state->world_contacts.shift(by_), state->events.shift(by_);
         note_structure_changed();  // planes, and points of joints, are part of it
@@ -71,6 +79,17 @@ class OriginShift {
         const Body* const body = body_of(geom);
         if (body && body->world != &world_) return "a geom in the space is on a body of another world";
         return can_be(load(geom.position) + by_) ? nullptr : kFar;
+    }
+
+    template <typename Use>
+    void for_wheels_on_ground(Use&& use) const
+    {
+        for (Body& body : world_.bodies) {
+            if (!body.vehicle) continue;
+            for (VehicleWheel& wheel : body.vehicle->all_wheels())
+                if (Geom* const ground = from_handle<Geom>(wheel.ground); ground && wheel.on_ground)
+                    use(wheel, *ground);
+        }
     }
 
     void shift(Body& body) const

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 #include "vehicles/update.h"
 
-#include "base/streams/content_hash.h"
+#include "collide/pose_hash.h"
 #include "dynamics/world.h"
 #include "query/candidates.h"
 #include "step/common/link.h"
@@ -12,15 +12,6 @@
 
 namespace epode {
 namespace {
-
-std::uint64_t pose_hash(Geom& geom)
-{
-    const Pose pose = pose_of(geom);
-    ContentHash hash;
-    hash.add(&pose.p.x, 3);
-    for (int row = 0; row < 3; ++row) hash.add({pose.R.row(row).x, pose.R.row(row).y, pose.R.row(row).z});
-    return hash.value();
-}
 
 bool has_moved_under(const VehicleWheel& wheel)
 {

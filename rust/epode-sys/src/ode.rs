@@ -530,6 +530,7 @@ pub const dTRIDATAPREPROCESS_FACE_ANGLES_EXTRA__DEFAULT: c_int = 0;
 pub const dMaxCouplingAxes: c_int = 8;
 /// the rotation vector
 pub const dAMotorTurn: c_int = 2;
+pub const dRagdollMaxBones: c_int = 128;
 pub const dConeClass: c_int = 18;
 pub const dEllipsoidClass: c_int = 19;
 pub const dTaperedCapsuleClass: c_int = 20;
@@ -670,6 +671,24 @@ pub const dFalloffNone: dFalloff = 0;
 pub const dFalloffLinear: dFalloff = 1;
 /// (1 - r / R)^2
 pub const dFalloffQuadratic: dFalloff = 2;
+/// The shape of a bone.
+pub type dBoneShape = c_uint;
+/// along the bone's z: radius, length of the cylinder
+pub const dBoneCapsule: dBoneShape = 0;
+/// three sides
+pub const dBoneBox: dBoneShape = 1;
+/// radius
+pub const dBoneSphere: dBoneShape = 2;
+/// What connects a bone with its parent.
+pub type dBoneJoint = c_uint;
+/// turns about its axis
+pub const dBoneHinge: dBoneJoint = 0;
+/// swings about two axes and does not twist about its own
+pub const dBoneUniversal: dBoneJoint = 1;
+/// swings and twists: a ball joint, and an angular motor that has limits and drives
+pub const dBoneBall: dBoneJoint = 2;
+/// does not turn
+pub const dBoneFixed: dBoneJoint = 3;
 /// How an island was solved.
 pub type dIslandMethod = c_uint;
 /// nothing to solve
@@ -688,6 +707,16 @@ pub const dIslandMethodSubsteps: dIslandMethod = 5;
 pub const dIslandMethodSubstepsExactJoints: dIslandMethod = 6;
 /// exact: in joint coordinates (dWorldSetJointCoordinates)
 pub const dIslandMethodJointCoordinates: dIslandMethod = 7;
+/// Ends of a rope that are fastened.
+pub type dRopeEnds = c_uint;
+/// none
+pub const dRopeLoose: dRopeEnds = 0;
+/// the first
+pub const dRopeFrom: dRopeEnds = 1;
+/// the last
+pub const dRopeTo: dRopeEnds = 2;
+/// both
+pub const dRopeBoth: dRopeEnds = 3;
 /// What steps do about the path of a geom from one place to the next.
 pub type dContinuousMode = c_uint;
 /// nothing: where it ends is what counts
@@ -875,6 +904,9 @@ pub struct dQueryFilter {
     pub callback: dQueryCallback,
     /// for the callback. 0
     pub data: *mut c_void,
+    /// 1: casts of shapes leave out what overlaps the shape at the beginning, of meshes and
+    /// height fields those triangles. 0
+    pub skip_overlaps: c_int,
 }
 /// What a query has hit.
 #[repr(C)]
@@ -911,6 +943,26 @@ pub struct dQueryDistance {
     pub side1: c_int,
     /// the same of g2
     pub side2: c_int,
+}
+/// What a cast of a shape has hit.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dCastHit {
+    /// the geom that was hit
+    pub geom: dGeomID,
+    /// where, in the world
+    pub pos: dVector3,
+    /// unit, out of that geom: along it the two are nearest to each other
+    pub normal: dVector3,
+    /// from the beginning of the motion, m
+    pub distance: dReal,
+    /// triangle of a mesh; -1: it has none
+    pub side: c_int,
+    /// unit, of the face that was hit; of an edge or corner, of the face there that is
+    /// most against the motion. Round geoms: normal
+    pub face_normal: dVector3,
+    /// of an overlap at the beginning, m; else 0
+    pub depth: dReal,
 }
 /// What a character is and does. Each field ends with its default.
 #[repr(C)]
@@ -982,7 +1034,9 @@ pub struct dCharacterReport {
 /// speed is the larger one, velocities of surfaces are subtracted, and compliances add up, as of springs in
 /// series. A compliant contact is held, beyond the surface layer and in all steppers, by a spring of
 /// stiffness 1/compliance and a damper of damping\_time/compliance at each of its points. Stiffer than 1e9
-/// N/m counts as rigid. Each field ends with its default.
+/// N/m counts as rigid. A surface with a friction axis, seen in the contact plane, bounds friction by the
+/// ellipse of its two coefficients; what slides is braked by the point of it that takes most power. Of two
+/// such surfaces the one whose coefficients differ more gives the axis. Each field ends with its default.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct dMaterial {
@@ -1010,6 +1064,10 @@ pub struct dMaterial {
     pub rolling_friction_rule: c_int,
     /// the geom of the larger one says friction, bounce and rolling friction alone. 0
     pub priority: c_int,
+    /// coefficient across friction\_axis, where that is not 0. 0.6
+    pub cross_friction: dReal,
+    /// in the geom's frame: friction counts along it; 0: in all directions. 0
+    pub friction_axis: dVector3,
 }
 /// One contact manifold for the coming step: points of two geoms with one normal. A function of the program
 /// changes what begins with accept, for this step alone; the rest is for it to read. What it sets to numbers
@@ -1051,6 +1109,13 @@ pub struct dManifold {
     pub damping_time: dReal,
     /// velocity of g1 against g2 that friction aims at, world, m/s
     pub surface_velocity: dVector3,
+    /// coefficient across friction\_axis
+    pub cross_friction: dReal,
+    /// world: friction counts along it; 0: in all directions
+    pub friction_axis: dVector3,
+    /// sum of the normal impulses in the step at most, N s; a share of each point, the
+    /// same for all. dInfinity
+    pub max_impulse: dReal,
 }
 /// One pair in one step. Elements of arrays, such as this, dWorldContact and dQueryHit, have no
 /// struct\_size: their fields never change, and what may be added one day gets functions of its own.
@@ -1238,6 +1303,49 @@ pub struct dFluidSettings {
     /// velocity of the fluid, m/s, world. 0
     pub current: dVector3,
 }
+/// A bone, and the joint with its parent. Elements of arrays, such as this, have no struct\_size. Zeros are
+/// a good start: what is 0 is not there, but for what a field says. Places and directions are in one frame
+/// of the whole figure, in any pose within the limits.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dBone {
+    /// number of an earlier bone; -1 for bone 0, which has none
+    pub parent: c_int,
+    /// a dBoneShape
+    pub shape: c_int,
+    /// as dBoneShape says, m, above 0
+    pub size: dVector3,
+    /// kg, 0 or more; 0: as density says
+    pub mass: dReal,
+    /// kg/m^3, 0 or more; 0: 1000
+    pub density: dReal,
+    /// of the centre, m
+    pub position: dVector3,
+    /// of the shape; zeros: none
+    pub orientation: dQuaternion,
+    /// a dBoneJoint
+    pub joint: c_int,
+    /// of the joint, m
+    pub anchor: dVector3,
+    /// not 0, of any length: the hinge's, or that of the twist, along the bone
+    pub axis: dVector3,
+    /// dBoneUniversal, dBoneBall: the first swing's, fixed in the parent; not along axis. What
+    /// is along axis is taken away. The second is swing x axis, at right angles to both
+    pub swing: dVector3,
+    /// rad, of twist, second and first swing; a hinge has the first alone. -pi ... pi, of
+    /// the second swing -1.5 ... 1.5
+    pub low: [dReal; 3],
+    /// likewise; where low is not below high, there is no limit
+    pub high: [dReal; 3],
+    /// of the motors that hold a pose, N m/rad, 0 or more
+    pub stiffness: dReal,
+    /// likewise, N m s/rad
+    pub damping: dReal,
+    /// the greatest torque of each, N m, 0 or more; 0: no limit
+    pub strength: dReal,
+    /// dry friction of each axis, N m, 0 or more
+    pub friction: dReal,
+}
 /// What the last step of a world did. Sums and worst values over its islands. Lengths in m, angles in rad,
 /// energies in J.
 #[repr(C)]
@@ -1387,6 +1495,31 @@ pub struct dEnergyLedger {
     /// what none of these explains: the error of the integration, of first order in
     /// the step, and rounding
     pub integration: f64,
+}
+/// What a rope is. Each field ends with its default.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dRopeSettings {
+    /// sizeof(dRopeSettings), set by the caller or dRopeSettingsInit
+    pub struct_size: c_uint,
+    /// 1 ... 10000. 20
+    pub links: c_int,
+    /// of all links, m; at least the distance of the two points; 0: that. 0
+    pub length: dReal,
+    /// of all links, kg, above 0. 1
+    pub mass: dReal,
+    /// of the links, which are capsules, m: above 0, less than half a link's length; of planks
+    /// half their thickness. 0.02
+    pub radius: dReal,
+    /// m, 0 or more. Above 0, links are planks on hinges, as wide, across the way. 0
+    pub width: dReal,
+    /// dRopeEnds. dRopeBoth
+    pub ends: c_int,
+    /// how much longer the rope is, as a share, under \`load\`; 0: it does not stretch. With
+    /// dampers. Planks do not: 0. 0
+    pub stretch: dReal,
+    /// N, above 0. 1000
+    pub load: dReal,
 }
 /// The mass itself. In C++ it has members that call the functions above and starts as zero; the layout is
 /// the same as in C.
@@ -2284,7 +2417,8 @@ extern "C" {
     pub fn dQueryFilterInit(filter: *mut dQueryFilter, struct_size: c_uint) -> c_int;
     /// Finds the geom that a ray hits first and writes it to \*hit. The ray goes from origin in direction (of
     /// any length but 0) to the distance length (0 ... dInfinity). Each geom is hit as dCollide with a ray geom
-    /// says, with its closest hit; from inside, at its far wall. A null filter finds everything. Returns 1, or
+    /// says, with its closest hit; from inside, at its far wall. A surface that the ray leaves outward at its
+    /// origin is not hit there. A null filter finds everything. Returns 1, or
     /// 0 if nothing is hit: then hit-\>geom is 0. Refused: a zero direction; a length below 0.
     pub fn dSpaceRayClosest(space: dSpaceID, origin: *const dReal, direction: *const dReal, length: dReal, filter: *const dQueryFilter, hit: *mut dQueryHit) -> c_int;
     /// Finds all geoms that a ray hits, each once, and writes at most capacity of them to hits, the nearest
@@ -2329,6 +2463,10 @@ extern "C" {
     /// however thin. Classes of the program are not met. Returns 1, or 0 if nothing is hit: then hit-\>geom is
     /// 0. Refused: no motion; an o that is not convex.
     pub fn dSpaceCast(space: dSpaceID, o: dGeomID, motion: *const dReal, filter: *const dQueryFilter, hit: *mut dQueryHit) -> c_int;
+    /// Finds all that the geom o would hit on its way, each geom once, where the motion meets it first, and
+    /// writes at most capacity of them to hits, the nearest first. Motion, o and filter are as in dSpaceCast;
+    /// nothing stops o. Returns how many there are. Refused: what dSpaceCast refuses.
+    pub fn dSpaceCastAll(space: dSpaceID, o: dGeomID, motion: *const dReal, filter: *const dQueryFilter, hits: *mut dCastHit, capacity: c_int) -> c_int;
     /// Fills \*settings with the default of every field and writes struct\_size, which is
     /// sizeof(dCharacterSettings), to it: dCharacterSettingsInit(&settings, sizeof settings). Returns 1.
     pub fn dCharacterSettingsInit(settings: *mut dCharacterSettings, struct_size: c_uint) -> c_int;
@@ -2428,6 +2566,35 @@ extern "C" {
     /// A program whose dMaterial has fewer fields than the library's keeps working: the others have their
     /// defaults. Refused: a structure smaller than one that has friction alone, or larger than this library's.
     pub fn dGeomGetMaterial(geom: dGeomID, material: *mut dMaterial) -> c_int;
+    /// Give the geom a copy of \*material as its material of that number (1 ... 255), from
+    /// the next step on; 0 removes it. Returns 1. Refused: another class of geom; another number; what
+    /// dGeomSetMaterial refuses.
+    ///
+    /// Materials of the faces of a geom: the triangles of a mesh, in their order, or the cells of a height
+    /// field, cell (i, j) by i + j (samples along the first axis - 1). World-managed contacts take the material
+    /// of the face that is nearest to the contact. Clones and files of worlds have them.
+    pub fn dGeomSetFaceMaterial(geom: dGeomID, number: c_int, material: *const dMaterial) -> c_int;
+    /// Copy that material, or the default material if there is none, to \*material.
+    /// Returns 1.
+    ///
+    /// Materials of the faces of a geom: the triangles of a mesh, in their order, or the cells of a height
+    /// field, cell (i, j) by i + j (samples along the first axis - 1). World-managed contacts take the material
+    /// of the face that is nearest to the contact. Clones and files of worlds have them.
+    pub fn dGeomGetFaceMaterial(geom: dGeomID, number: c_int, material: *mut dMaterial) -> c_int;
+    /// Take from numbers which material each of count faces has: with 0 or
+    /// one without a material it has the geom's own. Count 0: all have. Returns 1. Refused:
+    /// another class of geom; a count that is not 0 and not that of the faces.
+    ///
+    /// Materials of the faces of a geom: the triangles of a mesh, in their order, or the cells of a height
+    /// field, cell (i, j) by i + j (samples along the first axis - 1). World-managed contacts take the material
+    /// of the face that is nearest to the contact. Clones and files of worlds have them.
+    pub fn dGeomSetFaceMaterialNumbers(geom: dGeomID, numbers: *const c_uchar, count: c_int) -> c_int;
+    /// Copy them, at most capacity, to numbers. Returns how many there are.
+    ///
+    /// Materials of the faces of a geom: the triangles of a mesh, in their order, or the cells of a height
+    /// field, cell (i, j) by i + j (samples along the first axis - 1). World-managed contacts take the material
+    /// of the face that is nearest to the contact. Clones and files of worlds have them.
+    pub fn dGeomGetFaceMaterialNumbers(geom: dGeomID, numbers: *mut c_uchar, capacity: c_int) -> c_int;
     /// Sets a function that rejects pairs, called with the given data; filter 0: none. The thread that steps
     /// calls it, in the order of the pairs. It must not change the space or the world.
     pub fn dWorldSetContactFilter(world: dWorldID, filter: dContactFilter, data: *mut c_void);
@@ -2717,6 +2884,29 @@ extern "C" {
     /// without one, is between center and that point; else 0. A null filter finds everything. Returns how many
     /// bodies had one. Refused: a radius of 0 or below; a dFalloff or an occlusion that is none.
     pub fn dSpaceApplyRadialImpulse(space: dSpaceID, center: *const dReal, radius: dReal, impulse: dReal, falloff: c_int, occlusion: c_int, filter: *const dQueryFilter) -> c_int;
+    /// Write to bones, which has capacity of them, a human of this height and mass that stands, facing x, left y,
+    /// up z, the soles at z = 0: 16 bones, in proportions and masses of Drillis and Contini and of Dempster.
+    /// docs/guide/howto/ragdolls.md has them. Returns 16. Refused: a height outside 0.1 ... 100 m, a mass outside
+    /// 0.001 ... 1e6 kg, a capacity below 16.
+    pub fn dBonesMakeHuman(bones: *mut dBone, capacity: c_int, height: dReal, mass: dReal) -> c_int;
+    /// Build a figure of the bones in the world, its geoms in space, which may be 0, with the list's frame at
+    /// position (m) and orientation, either of which may be 0: none. Write the bodies of the bones to bodies,
+    /// which has as many places. Without motors: it is limp. Returns count.
+    pub fn dRagdollCreate(world: dWorldID, space: dSpaceID, bones: *const dBone, count: c_int, position: *const dReal, orientation: *const dReal, bodies: *mut dBodyID) -> c_int;
+    /// Let motors pull the figure to a pose, where it can with their stiffness, damping and
+    /// strength, times strength, 0 or more, each: drives (dJointSetDrive), implicit, stable at any step. 0: limp.
+    /// What the pose says of bone 0 does not count. A change wakes the figure. Returns how many joints have
+    /// motors.
+    pub fn dRagdollSetPose(bones: *const dBone, bodies: *const dBodyID, count: c_int, pose: *const dQuaternion, strength: dReal) -> c_int;
+    /// Write the present pose to pose. Returns count.
+    pub fn dRagdollGetPose(bones: *const dBone, bodies: *const dBodyID, count: c_int, pose: *mut dQuaternion) -> c_int;
+    /// Follow an animation: give the bodies velocities that bring them in the coming step of h seconds, above 0
+    /// and at most 1, to the pose with bone 0 at position (m). weight, 0 ... 1, is the share of these velocities, the
+    /// rest is what they have: 1 follows, 0 does nothing; between, a game lets go. The share of weight of gravity is
+    /// taken away. Kinematic bodies follow wholly. Call it before each step. Returns how many bodies follow.
+    pub fn dRagdollFollow(bones: *const dBone, bodies: *const dBodyID, count: c_int, position: *const dReal, pose: *const dQuaternion, weight: dReal, h: dReal) -> c_int;
+    /// Returns the largest gap of a joint of the figure, m: how far the two sides of an anchor are apart.
+    pub fn dRagdollGetGap(bones: *const dBone, bodies: *const dBodyID, count: c_int) -> dReal;
     /// Switch the report of steps on (mode 1) or off (0, the default). A report
     /// costs one more evaluation of the residual per step. Other values are refused.
     pub fn dWorldSetStepReportMode(world: dWorldID, mode: c_int);
@@ -2740,6 +2930,16 @@ extern "C" {
     ///
     /// Both return 1; 0 while the mode is off and before the first step since it was switched on.
     pub fn dWorldGetIslandEnergyLedger(world: dWorldID, island: c_int, ledger: *mut dEnergyLedger) -> c_int;
+    /// Fills \*settings with the default of every field and writes its struct\_size, which is sizeof(dRopeSettings):
+    /// dRopeSettingsInit(&settings, sizeof settings). Returns 1.
+    pub fn dRopeSettingsInit(settings: *mut dRopeSettings, struct_size: c_uint) -> c_int;
+    /// Lay a rope in the world from one point to another (m), its geoms in space, which may be 0; null settings
+    /// are the defaults. What is longer than the way hangs in an arc, against the z axis or along gravity. Its ends are
+    /// fastened to the bodies first and last, or to the world where these are 0. Write its links to bodies, and to
+    /// joints, which may be 0, the joint before each link and that after the last: one more; 0 at a loose end.
+    /// Returns how many links there are. Refused: points less than the thickness apart, longer ways than the
+    /// rope; one link that is longer than the way.
+    pub fn dRopeCreate(world: dWorldID, space: dSpaceID, from: *const dReal, to: *const dReal, first: dBodyID, last: dBodyID, settings: *const dRopeSettings, bodies: *mut dBodyID, joints: *mut dJointID) -> c_int;
     /// 1 when the mass \*m is positive and both I and the inertia about the centre of mass are positive
     /// definite, else 0 with a message.
     pub fn dMassCheck(m: *const dMass) -> c_int;
@@ -3047,11 +3247,11 @@ extern "C" {
     pub fn dWorldSetExactRotation(world: dWorldID, mode: c_int);
     /// The mode that dWorldSetExactRotation has set, 0 at first.
     pub fn dWorldGetExactRotation(world: dWorldID) -> c_int;
-    /// Choose whether dWorldStep solves islands of robots in the coordinates of their joints (mode 1) or of
-    /// their bodies (mode 0, the default): joints then stay closed to rounding, and a step of a robot costs a fraction. It does so where
-    /// hinges, sliders, balls and fixed joints make no loops, have no springs of their own and are closed to the tolerance of
-    /// dWorldSetStepProjection; contacts, stops, motors and drives may act. Other islands are solved as in mode 0:
-    /// dIslandStepReport::method says how. Other values are refused, as is a call during a step.
+    /// Choose whether dWorldStep solves islands of robots in the coordinates of their joints (mode 1, dDefaultsRobot) or of
+    /// their bodies (mode 0, the default): joints stay closed, energy does not drift, rotation is exact, and a robot's step costs a fraction. So where
+    /// hinges, sliders, balls and fixed joints make no loops, have no springs of their own and are closed to the tolerance of dWorldSetStepProjection,
+    /// bodies turn by less than 2 rad in a step, and loads do not make light links swing faster than it follows; contacts, stops, motors and drives
+    /// may act. Other islands are solved as in mode 0: dIslandStepReport::method says how. Other values are refused, as is a call during a step.
     pub fn dWorldSetJointCoordinates(world: dWorldID, mode: c_int);
     /// The mode that dWorldSetJointCoordinates has set, 0 at first.
     pub fn dWorldGetJointCoordinates(world: dWorldID) -> c_int;
@@ -3216,6 +3416,13 @@ extern "C" {
     /// is no world of a version and precision that this library reads, has changed, ends too early, or has what
     /// the interface would refuse.
     pub fn dWorldLoadFromBuffer(buffer: *const c_void, size: usize, space: *mut dSpaceID) -> dWorldID;
+    /// Makes the point offset (m, world) the new origin: subtracts it from the places of bodies, geoms of the space
+    /// without bodies (0: the contact space), planes, anchors at the world, contacts, events, characters, vehicles
+    /// and fluids. Nothing wakes or moves against anything else (docs/guide/howto/large\_worlds.md). A history
+    /// begins again; states of before do not fit where planes or joints are at the world. Returns 1. Refused: a call
+    /// during a step or a collision of the space; a space with geoms of another world's bodies; coordinates that
+    /// would be no usable numbers; an offset along z in a world with plane joints, which hold bodies at z = 0.
+    pub fn dWorldShiftOrigin(world: dWorldID, space: dSpaceID, offset: *const dReal) -> c_int;
     /// Set the n reals at a to zero.
     pub fn dSetZero(a: *mut dReal, n: c_int);
     /// Set the n reals at a to value.

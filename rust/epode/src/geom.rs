@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Geoms: how they are made, and what is not written from the headers.
+use crate::error::done;
 use crate::prelude::*;
 use crate::shape::{Data, Shape};
 use crate::table::GeomData;
@@ -60,6 +61,13 @@ impl<'w> Geom<'w> {
         list(all.as_mut_ptr().cast(), count)?;
         Ok(all)
     }
+    /// The numbers that [`set_face_material_numbers`](GeomMut::set_face_material_numbers) has set. C: `dGeomGetFaceMaterialNumbers`.
+    pub fn face_material_numbers(&self) -> Result<Vec<u8>> {
+        let list = |to: *mut u8, capacity| call(|| unsafe { sys::dGeomGetFaceMaterialNumbers(self.raw, to, capacity) });
+        let mut all = vec![0u8; list(std::ptr::null_mut(), 0)? as usize];
+        list(all.as_mut_ptr(), all.len() as i32)?;
+        Ok(all)
+    }
     /// The corners of a triangle of a mesh, m, in the world. C: `dGeomTriMeshGetTriangle`.
     pub fn mesh_triangle(&self, index: i32) -> Result<[Vec3; 3]> {
         let mut corners = [[0.0; 4]; 3];
@@ -76,6 +84,11 @@ impl<'w> Geom<'w> {
 impl<'w> GeomMut<'w> {
     pub(crate) fn new(raw: sys::dGeomID, id: GeomId, world: &'w mut World) -> Self {
         Self { geom: Geom::new(raw, id, world), _alone: PhantomData }
+    }
+    /// Which of its materials each triangle of a mesh or cell of a height field has; none: all have the geom's own. C:
+    /// `dGeomSetFaceMaterialNumbers`.
+    pub fn set_face_material_numbers(&mut self, numbers: &[u8]) -> Result<()> {
+        done(|| unsafe { sys::dGeomSetFaceMaterialNumbers(self.raw, numbers.as_ptr(), numbers.len() as i32) })
     }
     /// Gives it a number of the program's.
     pub fn set_tag(&mut self, tag: u64) {

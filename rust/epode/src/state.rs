@@ -109,6 +109,10 @@ impl World {
         save(bytes.as_mut_ptr(), bytes.len())?;
         Ok(bytes)
     }
+    /// Makes the point `offset`, m, the origin of the world: nothing moves against anything else. Histories begin again. C: `dWorldShiftOrigin`.
+    pub fn shift_origin(&mut self, offset: Vec3) -> Result<()> {
+        done(|| unsafe { sys::dWorldShiftOrigin(self.raw(), self.space(), pad3(offset).as_ptr()) })
+    }
     /// Writes the world to a file. C: `dWorldSave`.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         let bytes = self.to_bytes()?;

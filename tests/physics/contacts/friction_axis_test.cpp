@@ -100,7 +100,7 @@ TEST_P(FrictionAxis, a_block_slides_with_its_two_coefficients_along_and_across)
         }
 }
 
-TEST_P(FrictionAxis, between_its_axes_a_block_loses_what_the_ellipse_lets_it_lose_most)
+TEST_P(FrictionAxis, between_its_axes_a_block_is_braked_by_the_ellipse_at_the_largest_power)
 {
     for (const double direction : {0.3, 0.8, 2.2}) {
         constexpr double angle = 0.4;

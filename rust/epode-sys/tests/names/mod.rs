@@ -34,7 +34,9 @@ pub const HEADERS: &[&str] = &[
     "ode/odemath.h",
     "ode/precision.h",
     "ode/queries.h",
+    "ode/ragdoll.h",
     "ode/report.h",
+    "ode/rope.h",
     "ode/rotation.h",
     "ode/shapes.h",
     "ode/state.h",
@@ -59,13 +61,14 @@ macro_rules! ode_structures {
         dContactGeom { pos normal depth g1 g2 side1 side2 }
         dContact { surface geom fdir1 }
         dGeomClass { bytes collider aabb aabb_test dtor }
-        dQueryFilter { struct_size category_bits collide_bits skip_body callback data }
+        dQueryFilter { struct_size category_bits collide_bits skip_body callback data skip_overlaps }
         dQueryHit { geom pos normal distance side }
         dQueryDistance { distance pos1 pos2 normal g1 g2 side1 side2 }
+        dCastHit { geom pos normal distance side face_normal depth }
         dCharacterSettings { struct_size shape radius height up gravity skin slope_limit step_height stick_distance mass max_force air_acceleration filter data }
         dCharacterReport { struct_size state velocity ground ground_side ground_pos ground_normal ground_velocity turn climbed hit_wall hit_ceiling overlap }
-        dMaterial { struct_size friction bounce bounce_speed surface_velocity rolling_friction compliance damping_time friction_rule bounce_rule rolling_friction_rule priority }
-        dManifold { struct_size g1 g2 touched count pos depth normal velocity accept friction bounce bounce_speed rolling_friction compliance damping_time surface_velocity }
+        dMaterial { struct_size friction bounce bounce_speed surface_velocity rolling_friction compliance damping_time friction_rule bounce_rule rolling_friction_rule priority cross_friction friction_axis }
+        dManifold { struct_size g1 g2 touched count pos depth normal velocity accept friction bounce bounce_speed rolling_friction compliance damping_time surface_velocity cross_friction friction_axis max_impulse }
         dContactEvent { kind g1 g2 }
         dWorldContact { g1 g2 pos normal depth normal_force friction_force }
         dThreadedWaitTime { wait_sec wait_nsec }
@@ -75,9 +78,11 @@ macro_rules! ode_structures {
         dEvent { kind gone g1 g2 joint pos normal approach_speed impulse }
         dEventSettings { struct_size kinds capacity min_impulse min_approach_speed }
         dFluidSettings { struct_size density drag linear_drag angular_drag current }
+        dBone { parent shape size mass density position orientation joint anchor axis swing low high stiffness damping strength friction }
         dWorldStepReport { struct_size islands bodies joints rows residual iterations fallbacks contained_islands factorisations joint_error joint_angle_error penetration energy_before energy_after projection_iterations projections_unconverged projection_error stopped_bodies friction_error raised_bodies raised_residual unsolved_joint unsolved_joints }
         dIslandStepReport { struct_size method body bodies joints rows iterations factorisations fallback contained residual joint_error joint_angle_error penetration energy_before energy_after projection_iterations projection_unconverged projection_error stopped_bodies friction_error raised_bodies raised_residual unsolved_joint unsolved_joints }
         dEnergyLedger { struct_size islands body kinetic_before kinetic_after potential_before potential_after gravity forces drives friction impacts joints damping correction integration }
+        dRopeSettings { struct_size links length mass radius width ends stretch load }
         dMass { mass c I }
         dVehicleSettings { struct_size kind forward up torque_points engine_speeds engine_torques engine_inertia engine_drag idle_speed automatic gears gear_ratios reverse_ratio final_ratio shift_time shift_up_speed shift_down_speed clutch_torque differential lock_torque centre_differential centre_lock_torque max_steer steer_speed ackermann drag downforce abs lean_frequency lean_limit category_bits collide_bits }
         dVehicleWheel { struct_size cast position radius width inertia axle travel preload stiffness bump_damping rebound_damping stop_stiffness anti_roll roll_centre friction_x friction_y stiffness_x stiffness_y sliding nominal_load load_sensitivity relaxation rolling_resistance steer drive brake_torque handbrake_torque }
@@ -328,6 +333,7 @@ macro_rules! ode_numbers {
         dTRIDATAPREPROCESS_FACE_ANGLES_EXTRA__DEFAULT
         dMaxCouplingAxes
         dAMotorTurn
+        dRagdollMaxBones
         dConeClass
         dEllipsoidClass
         dTaperedCapsuleClass
@@ -399,6 +405,13 @@ macro_rules! ode_numbers {
         dFalloffNone
         dFalloffLinear
         dFalloffQuadratic
+        dBoneCapsule
+        dBoneBox
+        dBoneSphere
+        dBoneHinge
+        dBoneUniversal
+        dBoneBall
+        dBoneFixed
         dIslandMethodNone
         dIslandMethodDense
         dIslandMethodActiveSet
@@ -407,6 +420,10 @@ macro_rules! ode_numbers {
         dIslandMethodSubsteps
         dIslandMethodSubstepsExactJoints
         dIslandMethodJointCoordinates
+        dRopeLoose
+        dRopeFrom
+        dRopeTo
+        dRopeBoth
         dContinuousOff
         dContinuousOn
         dContinuousIgnored
@@ -621,6 +638,7 @@ macro_rules! ode_functions {
         dGeomGetDistance
         dGeomCast
         dSpaceCast
+        dSpaceCastAll
         dCharacterSettingsInit
         dCharacterCreate
         dGeomIsCharacter
@@ -648,6 +666,10 @@ macro_rules! ode_functions {
         dMaterialInit
         dGeomSetMaterial
         dGeomGetMaterial
+        dGeomSetFaceMaterial
+        dGeomGetFaceMaterial
+        dGeomSetFaceMaterialNumbers
+        dGeomGetFaceMaterialNumbers
         dWorldSetContactFilter
         dWorldSetManifoldFunction
         dWorldGetContactEvents
@@ -730,6 +752,12 @@ macro_rules! ode_functions {
         dBodyApplyTorque
         dBodySetVelocities
         dSpaceApplyRadialImpulse
+        dBonesMakeHuman
+        dRagdollCreate
+        dRagdollSetPose
+        dRagdollGetPose
+        dRagdollFollow
+        dRagdollGetGap
         dWorldSetStepReportMode
         dWorldGetStepReportMode
         dWorldGetStepReport
@@ -738,6 +766,8 @@ macro_rules! ode_functions {
         dWorldGetEnergyLedgerMode
         dWorldGetEnergyLedger
         dWorldGetIslandEnergyLedger
+        dRopeSettingsInit
+        dRopeCreate
         dMassCheck
         dMassSetZero
         dMassSetParameters
@@ -855,6 +885,7 @@ macro_rules! ode_functions {
         dWorldSaveToBuffer
         dWorldLoad
         dWorldLoadFromBuffer
+        dWorldShiftOrigin
         dSetZero
         dSetValue
         dDot

@@ -308,6 +308,20 @@ impl Geom<'_> {
         Material::from_raw(&material, self.shared())
     }
 
+    /// Copy that material, or the default material if there is none, to \*material.
+    /// Returns 1.
+    ///
+    /// Materials of the faces of a geom: the triangles of a mesh, in their order, or the cells of a height
+    /// field, cell (i, j) by i + j (samples along the first axis - 1). World-managed contacts take the material
+    /// of the face that is nearest to the contact. Clones and files of worlds have them.
+    ///
+    /// C: `dGeomGetFaceMaterial`.
+    pub fn face_material(&self, number: i32) -> Result<Material> {
+        let mut material = Material::empty();
+        call(|| unsafe { sys::dGeomGetFaceMaterial(self.raw(), number, &mut material) })?;
+        Ok(Material::from_raw(&material, self.shared()))
+    }
+
     /// 1 if the geom is a sensor, else 0.
     ///
     /// C: `dGeomGetSensor`.
@@ -621,6 +635,20 @@ impl GeomMut<'_> {
     pub fn set_material(&mut self, material: Option<&Material>) -> Result<()> {
         let material = material.map(Material::to_raw);
         call(|| unsafe { sys::dGeomSetMaterial(self.raw(), material.as_ref().map_or(std::ptr::null(), std::ptr::from_ref)); })
+    }
+
+    /// Give the geom a copy of \*material as its material of that number (1 ... 255), from
+    /// the next step on; 0 removes it. Returns 1. Refused: another class of geom; another number; what
+    /// dGeomSetMaterial refuses.
+    ///
+    /// Materials of the faces of a geom: the triangles of a mesh, in their order, or the cells of a height
+    /// field, cell (i, j) by i + j (samples along the first axis - 1). World-managed contacts take the material
+    /// of the face that is nearest to the contact. Clones and files of worlds have them.
+    ///
+    /// C: `dGeomSetFaceMaterial`.
+    pub fn set_face_material(&mut self, number: i32, material: Option<&Material>) -> Result<()> {
+        let material = material.map(Material::to_raw);
+        call(|| unsafe { sys::dGeomSetFaceMaterial(self.raw(), number, material.as_ref().map_or(std::ptr::null(), std::ptr::from_ref)); })
     }
 
     /// Make the geom a sensor (mode 1) or an ordinary geom (mode 0, the default). World-managed

@@ -9,7 +9,9 @@ use crate::prelude::*;
 /// speed is the larger one, velocities of surfaces are subtracted, and compliances add up, as of springs in
 /// series. A compliant contact is held, beyond the surface layer and in all steppers, by a spring of
 /// stiffness 1/compliance and a damper of damping\_time/compliance at each of its points. Stiffer than 1e9
-/// N/m counts as rigid. Each field ends with its default.
+/// N/m counts as rigid. A surface with a friction axis, seen in the contact plane, bounds friction by the
+/// ellipse of its two coefficients; what slides is braked by the point of it that takes most power. Of two
+/// such surfaces the one whose coefficients differ more gives the axis. Each field ends with its default.
 ///
 /// C: dMaterial.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +38,10 @@ pub struct Material {
     pub rolling_friction_rule: CombineRule,
     /// the geom of the larger one says friction, bounce and rolling friction alone. 0
     pub priority: i32,
+    /// coefficient across friction\_axis, where that is not 0. 0.6
+    pub cross_friction: Real,
+    /// in the geom's frame: friction counts along it; 0: in all directions. 0
+    pub friction_axis: Vec3,
 }
 #[allow(unused_variables)]
 impl Material {
@@ -59,6 +65,8 @@ impl Material {
             bounce_rule: CombineRule::of_number(raw.bounce_rule as i32),
             rolling_friction_rule: CombineRule::of_number(raw.rolling_friction_rule as i32),
             priority: raw.priority,
+            cross_friction: raw.cross_friction,
+            friction_axis: vec3(raw.friction_axis),
         }
     }
     pub(crate) fn to_raw(&self) -> sys::dMaterial {
@@ -74,6 +82,8 @@ impl Material {
         raw.bounce_rule = self.bounce_rule.number();
         raw.rolling_friction_rule = self.rolling_friction_rule.number();
         raw.priority = self.priority;
+        raw.cross_friction = self.cross_friction;
+        raw.friction_axis = pad3(self.friction_axis);
         raw
     }
 }

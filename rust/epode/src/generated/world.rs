@@ -461,11 +461,11 @@ impl World {
         call(|| unsafe { sys::dWorldSetExactRotation(self.raw(), i32::from(mode)) })
     }
 
-    /// Choose whether dWorldStep solves islands of robots in the coordinates of their joints (mode 1) or of
-    /// their bodies (mode 0, the default): joints then stay closed to rounding, and a step of a robot costs a fraction. It does so where
-    /// hinges, sliders, balls and fixed joints make no loops, have no springs of their own and are closed to the tolerance of
-    /// dWorldSetStepProjection; contacts, stops, motors and drives may act. Other islands are solved as in mode 0:
-    /// dIslandStepReport::method says how. Other values are refused, as is a call during a step.
+    /// Choose whether dWorldStep solves islands of robots in the coordinates of their joints (mode 1, dDefaultsRobot) or of
+    /// their bodies (mode 0, the default): joints stay closed, energy does not drift, rotation is exact, and a robot's step costs a fraction. So where
+    /// hinges, sliders, balls and fixed joints make no loops, have no springs of their own and are closed to the tolerance of dWorldSetStepProjection,
+    /// bodies turn by less than 2 rad in a step, and loads do not make light links swing faster than it follows; contacts, stops, motors and drives
+    /// may act. Other islands are solved as in mode 0: dIslandStepReport::method says how. Other values are refused, as is a call during a step.
     ///
     /// C: `dWorldSetJointCoordinates`.
     pub fn set_joint_coordinates(&mut self, mode: i32) -> Result<()> {
