@@ -527,7 +527,7 @@ dMaterial material_with(Change&& change)
 inline const std::vector<Item<dQueryFilter>>& filters()
 {
     static const auto with = [](auto change) {
-        dQueryFilter f{sizeof(dQueryFilter), ~0ul, ~0ul, nullptr, nullptr, nullptr};
+        dQueryFilter f{sizeof(dQueryFilter), ~0ul, ~0ul, nullptr, nullptr, nullptr, 0};
         change(f);
         return f;
     };
