@@ -25,14 +25,14 @@ struct Golden {
     std::uint64_t saved, later;
 };
 
-constexpr Golden kGolden[2][8] = {{{0x1f7fba8718db835e, 0x23d270493dbf1cde},
-                                   {0xfd3d859e5686b9e1, 0x294ec6242694c221},
-                                   {0x7dd6a6babdf0aabf, 0xf5b34ef8dc15366e},
-                                   {0x2ed00dfdc7f2a7b9, 0xe8a89aa102d8159c},
-                                   {0xbb373b17c1917848, 0x61e56455d813a82a},
-                                   {0x42cfe3509fde1949, 0x55eb9608f89022d8},
-                                   {0xb614de0cbce498f5, 0x29314059a89bec85},
-                                   {0xcb85957d4a7de7eb, 0xf61845e3403272f8}},
+constexpr Golden kGolden[2][8] = {{{0xcfc47b9c733600f0, 0xc8940ca83bd403a6},
+                                   {0xf603796438fa02a4, 0x395643fcbade90cd},
+                                   {0x84ef1cf5b6a558cb, 0xfa32ae0fe614778b},
+                                   {0x2b1efdc9fac97e50, 0xd8785d3a866dec13},
+                                   {0x9e32cb793f0a3e97, 0x65262967224a638a},
+                                   {0x7143c2e52777cec6, 0x5285c8867fda35cf},
+                                   {0xf10c40a8b34d2015, 0x6db15fcbe821143d},
+                                   {0x9ff530a8bbe41f8f, 0xe937b13066b36fff}},
                                   {{0x64c2d39453277569, 0x492c57956792288e},
                                    {0x6cee88ba47eb9c17, 0xb84127e7c64b3b49},
                                    {0x862ecdb546eaeaf5, 0x037507546c72a2dc},
