@@ -38,7 +38,7 @@ void find_stiff_spring(const StepFacts& facts)
 {
     facts.for_each_body([&](Body& body, const BodyBefore& b) {
         const BodyBefore* last = StepFacts::of(facts.last, body);
-        if (!last) return;
+        if (!last || body.vehicle) return;  // the forces of wheels are implicit
         const Sym3& I = body.inv_inertia;
         const Real inv_inertia = std::min(I.xx, std::min(I.yy, I.zz));
         const Real stretch =

@@ -162,6 +162,10 @@ void test_copies()
     judge("dWorldExt::clone", clone && table[0].copy == clone && table[0].original == world.id(), Numbers());
     const size_t size = world.saveToBuffer(ground.space, 0, 0);
     judge("dWorldExt::saveToBuffer", size == dWorldSaveToBuffer(world, ground.space, 0, 0), Numbers());
+    const dVector3 offset = {REAL(2.0), 0, 0, 0};
+    const dReal x = dBodyGetPosition(ground.body)[0];
+    judge("dWorldExt::shiftOrigin",
+          world.shiftOrigin(0, offset) == 1 && dBodyGetPosition(ground.body)[0] == x - 2, Numbers());
     judge("dWorldExt::save", world.save(ground.space, "/nowhere/at/all") == 0, Numbers());
     dWorldDestroy(clone);
     dSpaceDestroy(space);
@@ -495,6 +499,11 @@ void test_queries()
     judge("dSpaceExt::cast",
           ground.space.cast(probe, way, &no_ball, a) == 1 && a[0].geom == ground.plane.geom(),
           Numbers(1, a[0].distance));
+    dCastHit all[4];
+    judge("dSpaceExt::castAll",
+          ground.space.castAll(probe, way, 0, all, 4) == 2 && all[0].geom == ground.ball.geom() &&
+              all[1].geom == ground.plane.geom(),
+          Numbers(2, all[0].distance, all[1].distance));
 }
 
 void test_hull()
@@ -529,6 +538,16 @@ void test_surfaces()
         mesh.setSolid(1);
         judge("dTriMeshExt::setSolid", dGeomTriMeshGetSolid(mesh) == 1, Numbers());
         judge("dTriMeshExt::getSolid", mesh.getSolid() == 1, Numbers());
+        dMaterialExt ice, read;
+        ice.friction = REAL(0.02);
+        const unsigned char numbers[4] = {0, 7, 7, 0};
+        unsigned char got[4] = {0, 0, 0, 0};
+        judge("dGeomExt::setFaceMaterial", mesh.setFaceMaterial(7, &ice) == 1, Numbers());
+        judge("dGeomExt::getFaceMaterial",
+              mesh.getFaceMaterial(7, &read) == 1 && read.friction == ice.friction, Numbers());
+        judge("dGeomExt::setFaceMaterialNumbers", mesh.setFaceMaterialNumbers(numbers, 4) == 1, Numbers());
+        judge("dGeomExt::getFaceMaterialNumbers",
+              mesh.getFaceMaterialNumbers(got, 4) == 4 && got[1] == 7 && got[3] == 0, Numbers());
     }
     dGeomTriMeshDataDestroy(data);
 

@@ -42,6 +42,16 @@ void destroy_clone(void* made, const void* space_pointer)
     if (space) dSpaceDestroy(space);
 }
 
+// Geoms in no space of the bodies that a figure or a rope is made of.
+void destroy_loose_geoms(const dBodyID* bodies, int count)
+{
+    for (int i = 0; i < count; ++i)
+        for (dGeomID geom = dBodyGetFirstGeom(bodies[i]), next; geom; geom = next) {
+            next = dBodyGetNextGeom(geom);
+            if (!dGeomGetSpace(geom)) dGeomDestroy(geom);
+        }
+}
+
 // Which function takes back what those whose names contain `part` make.
 struct Maker {
     const char* part;
@@ -97,6 +107,11 @@ bool uses_threads(const Function& f)
 void give_back(const Function& f, const Value* arguments, const Result& result)
 {
     free_memory(f, arguments, result);
+    const int bodies = std::strcmp(f.name, "dRagdollCreate") == 0 ? 6
+                       : std::strcmp(f.name, "dRopeCreate") == 0  ? 7
+                                                                  : -1;
+    if (bodies >= 0)
+        destroy_loose_geoms(static_cast<const dBodyID*>(arguments[bodies].pointer), int(result.integer));
     if (!result.pointer) return;
     if (contains(f.name, "WorldClone"))
         return destroy_clone(const_cast<void*>(result.pointer), arguments[1].pointer);

@@ -129,7 +129,7 @@ KIND_OF_PARAMETER = [
 
 # Handles and pointers that may be null.
 MAY_BE_NULL = [
-    r"dCreate\w*:space", r"dRagdollCreate:(space|position|orientation)", r"dRopeCreate:(space|first|last|settings|joints)", r"d\w+SpaceCreate:space", r"dJointCreate\w*:group", r"dJointAttach:body[12]",
+    r"dCreate\w*:space", r"dRagdollCreate:(space|position|orientation)", r"dWorldShiftOrigin:space", r"dGeomSetFaceMaterial:material", r"dGeomSetFaceMaterialNumbers:numbers", r"dRopeCreate:(space|first|last|settings|joints)", r"d\w+SpaceCreate:space", r"dJointCreate\w*:group", r"dJointAttach:body[12]",
     r"dGeomSetBody:body", r"dConnectingJoint(List)?:body[12]", r"dAreConnected(Excluding)?:(body2|arg2)",
     r"dGeomTransformSetGeom:obj", r"dCreateHeightfield:data", r"dGeomHeightfieldSetHeightfieldData:d",
     r"\w+:(data|pUserData)", r"dJointSetFeedback:feedback", r"dSet\w+Handler:fn", r"dSetColliderOverride:fn",

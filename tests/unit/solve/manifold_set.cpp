@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 #include "../tasks/taken_pool.h"
@@ -44,6 +45,7 @@ Contacts random_contacts(std::uint64_t seed, int bodies, int manifolds, bool pla
     }
     for (int i = 0; i < manifolds; ++i) {
         ContactManifold p{};
+        p.max_impulse = std::numeric_limits<float>::infinity();
         p.body1 = platform ? 0 : int(dice.real(0, Real(bodies - 1)));
         p.body2 = platform ? 1 + i % (bodies - 1) : int(dice.real(-1, Real(bodies)));
         if (p.body2 == p.body1) p.body2 = -1;
