@@ -37,7 +37,7 @@ TEST_P(FarAlongAFloor, a_box_rests_and_slides_as_at_the_origin)
         const FarSlide near = slide_at(0, manifold_friction), far = slide_at(GetParam(), manifold_friction);
         EXPECT_NEAR(far.depth, near.depth, 1e-6) << manifold_friction;
         EXPECT_NEAR(far.rate, near.rate, 0.01 * near.rate) << manifold_friction;
-        if (manifold_friction) EXPECT_NEAR(far.rate, 0.4 * 9.81, 0.01 * 0.4 * 9.81);
+        if (manifold_friction) { EXPECT_NEAR(far.rate, 0.4 * 9.81, 0.01 * 0.4 * 9.81); }
     }
 }
 
