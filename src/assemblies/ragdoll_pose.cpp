@@ -119,16 +119,27 @@ Placed place_bone(const dBone* bones, int i, const Placed& parent, Quat against_
     return {at - to_matrix(q) * to_bone(bone, anchor), q};
 }
 
-void follow(dBodyID id, const Placed& to, Real weight, Real h)
+struct Velocities {
+    Vec3 linear, angular;
+};
+
+// The share of the kinematic is 1.
+Real share_of(dBodyID id, Real weight) { return dBodyIsKinematic(id) ? 1 : weight; }
+
+Velocities way_to(dBodyID id, const Placed& to, Real weight, Real h)
 {
-    const bool kinematic = dBodyIsKinematic(id);
-    const Real w = kinematic ? 1 : weight;
+    const Real w = share_of(id, weight);
     const Quat now = load_quat(dBodyGetQuaternion(id));
     const Vec3 v = (to.p - load(dBodyGetPosition(id))) / h, turn = rotation_vector(to.q * conjugate(now)) / h;
-    const Vec3 linear = (1 - w) * load(dBodyGetLinearVel(id)) + w * v,
-               angular = (1 - w) * load(dBodyGetAngularVel(id)) + w * turn;
+    return {(1 - w) * load(dBodyGetLinearVel(id)) + w * v, (1 - w) * load(dBodyGetAngularVel(id)) + w * turn};
+}
+
+void follow(dBodyID id, const Velocities& way, Real weight)
+{
+    const bool kinematic = dBodyIsKinematic(id);
+    const Real w = share_of(id, weight);
     dVector3 lin, ang, gravity;
-    store(lin, linear), store(ang, angular);
+    store(lin, way.linear), store(ang, way.angular);
     dBodySetVelocities(id, lin, ang, 1);
     if (kinematic || !dBodyGetGravityMode(id)) return;
     dMass mass;
@@ -203,13 +214,19 @@ extern "C" int dRagdollFollow(const dBone* bones, const dBodyID* bodies, int cou
     EPODE_USER_SAY(usable(weight) && weight >= 0 && weight <= 1, "weight (accepted: 0 ... 1)", 0);
     EPODE_USER_SAY(usable(h) && h > 0 && h <= 1, "h (accepted: above 0, at most 1 s)", 0);
     Placed placed[dRagdollMaxBones];
-    int following = 0;
+    Velocities ways[dRagdollMaxBones];
     for (int i = 0; i < count; ++i) {
         Quat q = load_quat(pose[i]);
         (void)normalize(q);
         placed[i] = i == 0 ? Placed{load(position), q} : place_bone(bones, i, placed[bones[i].parent], q);
-        if (weight == 0 && !dBodyIsKinematic(bodies[i])) continue;
-        follow(bodies[i], placed[i], weight, h);
+        ways[i] = way_to(bodies[i], placed[i], weight, h);
+        EPODE_USER_SAY(usable(&ways[i].linear.x, 3) && usable(&ways[i].angular.x, 3),
+                       "the pose is too far away for a step of h", 0);
+    }
+    int following = 0;
+    for (int i = 0; i < count; ++i) {
+        if (share_of(bodies[i], weight) == 0) continue;
+        follow(bodies[i], ways[i], weight);
         ++following;
     }
     return following;
