@@ -30,12 +30,13 @@ extern "C" {
     - bodies: those that dRagdollCreate has made, in the order of the bones.
     - pose: count orientations.
 
-    Refused: null pointers; numbers that are not finite; bones with a field outside what it says; a count outside
-    1 ... dRagdollMaxBones; [dRagdollCreate] a world that is 0 or destroyed, a space that is destroyed;
-    [dRagdollSetPose, dRagdollGetPose, dRagdollFollow, dRagdollGetGap] a body that is 0 or destroyed, bodies of
-    several worlds; [dRagdollSetPose, dRagdollFollow] a pose with a quaternion of length 0; [dRagdollFollow] a pose that no usable velocity reaches in h; [dRagdollCreate,
-    dRagdollSetPose, dRagdollFollow] a call during a step; what each function names. Nothing changes then, and the
-    answer is 0. */
+    Refused: null pointers; numbers that are not finite; bones with a field outside what it says; a count
+    outside 1 ... dRagdollMaxBones; [dRagdollCreate] a world that is 0 or destroyed, a space that is
+    destroyed; [dRagdollSetPose, dRagdollGetPose, dRagdollFollow, dRagdollGetGap] a body that is 0 or
+    destroyed, bodies of several worlds; [dRagdollSetPose, dRagdollFollow] a pose with a quaternion of
+    length 0; [dRagdollFollow] a pose that no usable velocity reaches in h; [dRagdollCreate,
+    dRagdollSetPose, dRagdollFollow] a call during a step; what each function names. Nothing changes then,
+    and the answer is 0. */
 
 /** How many bones a ragdoll may have. */
 enum { dRagdollMaxBones = 128 };
