@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
 """A step of robots as users load them: Gymnasium's files in a world with the robot preset, next to MuJoCo's Euler step of the same files, on
-the same random controls held for five steps, in turns on one thread: loaded_robots.py [STEPS], in an environment with epode, gymnasium
-and mujoco. The fastest of some rounds counts, since the machine may be busy; times are of the process. Next to the time: the deepest
+the same random controls held for five steps, in turns on one thread, and next to the preset without joint coordinates, "in bodies":
+loaded_robots.py [STEPS], in an environment with epode, gymnasium and mujoco. The fastest of some rounds counts, since the machine may be busy; times are of the process. Next to the time: the deepest
 contact, and of Epode the worst joint error and residual of any step."""
 import pathlib
 import sys
@@ -78,12 +78,12 @@ def round_of(engine, controls):
 
 
 def main(steps):
-    print("| robot | h, s | MuJoCo Euler, us | Epode, us | share | in joint coordinates, us | deepest: MuJoCo, Epode | Epode's quality |")
+    print("| robot | h, s | MuJoCo Euler, us | the preset, us | share | in bodies, us | deepest: MuJoCo, Epode | Epode's quality |")
     print("|---|---|---|---|---|---|---|---|")
     for name in ROBOTS:
         path = str(FILES / f"{name}.xml")
         h = mujoco.MjModel.from_xml_path(path).opt.timestep
-        engines = [MuJoCo(path, h), Epode(path, h, False), Epode(path, h, True)]
+        engines = [MuJoCo(path, h), Epode(path, h, True), Epode(path, h, False)]
         controls = np.random.default_rng(1).uniform(-1, 1, (steps // HELD, engines[0].model.nu))
         seen = [[round_of(engine, controls) for engine in engines] for _ in range(ROUNDS)]
         best = [min(rounds[i][0] for rounds in seen) * 1e6 for i in range(3)]
