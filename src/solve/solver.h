@@ -46,7 +46,6 @@ struct SweepSettings {
     int iterations = 20;
     Real w = Real(1.3);                   // over-relaxation
     std::uint64_t seed = 0;               // a function of world, step and island: for shuffles
-    std::uint64_t order = 0;              // a function of world and step alone: of joints
     bool want_residual = false;           // costs an evaluation
     std::span<Real> part_residuals = {};  // also of each part of a system of several
 };

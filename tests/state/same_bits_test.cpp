@@ -26,11 +26,11 @@ struct Golden {
 };
 
 constexpr Golden kGolden[2][8] = {{{0xcfc47b9c733600f0, 0xc8940ca83bd403a6},
-                                   {0x3ea4347df3b5b910, 0x7135db3588d2bc43},
+                                   {0xf603796438fa02a4, 0x395643fcbade90cd},
                                    {0x84ef1cf5b6a558cb, 0xfa32ae0fe614778b},
                                    {0x2b1efdc9fac97e50, 0xd8785d3a866dec13},
                                    {0x9e32cb793f0a3e97, 0x65262967224a638a},
-                                   {0xc46f356469744d21, 0xca1789b05aec686f},
+                                   {0x7143c2e52777cec6, 0x5285c8867fda35cf},
                                    {0xf10c40a8b34d2015, 0x6db15fcbe821143d},
                                    {0x9ff530a8bbe41f8f, 0xe937b13066b36fff}},
                                   {{0x64c2d39453277569, 0x492c57956792288e},

@@ -62,12 +62,12 @@ cat > mouse <<'END'
 frames 60
 key space
 key tab
-double 685 356
+double 685 368
 print
 key d
 print
 ctrl on
-move 685 356
+move 685 368
 down left
 frames 2
 move 724 180

@@ -36,7 +36,6 @@ class JointLanes {
     bool follow(const RowSystem& system, const Substep& step, std::span<const Velocity> bodies, Arena& arena);
     void turn(const RowSystem& system) { floats_.turn(system), reals_.turn(system); }
     void load_substep(const RowSystem& system, const Substep& step);
-    void shuffle(std::uint64_t seed) { floats_.shuffle(seed), reals_.shuffle(seed); }
     void apply_impulses(std::span<Velocity> bodies) const;
     void sweep(std::span<Velocity> bodies, const JointSweep& how);
     void store_impulses(std::span<RowNumbers> numbers) const;

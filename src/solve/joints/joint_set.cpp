@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "base/random.h"
 #include "solve/common/colours.h"
 
 namespace epode {
@@ -139,14 +138,12 @@ bool JointSetOf<L>::sort(std::span<Joint> joints, int shapes, Arena& arena)
 
     batches_ = arena.take<JointBatch>(max_batches);
     sources_ = arena.take<Source>(max_batches * kLanes);
-    runs_ = arena.take<ColourRun>(colours_);
     if (arena.failed()) return false;
     // After the sort, starts[k] is where the next key begins.
     std::size_t next = 0;
     int from = 0;
     for (int k = 0; k < keys; ++k) {
         const Shape& shape = shapes_[k % shapes];
-        if (k % shapes == 0) runs_[std::size_t(k / shapes)] = {int(next), 0, 0};
         for (const int to = starts[std::size_t(k)]; from < to; ++next) {
             const int count = std::min(kLanes, to - from);
             batches_[next] = {shape.form, shape.rows, shape.bounded, count, 0, -1, false, {}, {}};
@@ -155,8 +152,6 @@ bool JointSetOf<L>::sort(std::span<Joint> joints, int shapes, Arena& arena)
                     lane < count ? order[std::size_t(from + lane)] : -1;
             from += count;
         }
-        ColourRun& run = runs_[std::size_t(k / shapes)];
-        run.count = int(next) - run.first;
     }
     return true;
 }
@@ -327,27 +322,9 @@ void JointSetOf<L>::apply_impulses(std::span<Velocity> bodies) const
 }
 
 template <typename L>
-void JointSetOf<L>::shuffle(std::uint64_t seed)
-{
-    for (std::size_t i = 0; i < runs_.size(); ++i) runs_[i].place = CounterRandom(seed + i).next();
-    std::sort(runs_.begin(), runs_.end(), [](const auto& a, const auto& b) { return a.place < b.place; });
-    shuffled_ = true;
-}
-
-template <typename L>
-template <typename Visit>
-void JointSetOf<L>::for_each_run(Visit&& f) const
-{
-    if (!shuffled_) return f(std::size_t(0), int(batches_.size()));
-    for (const ColourRun& run : runs_) f(std::size_t(run.first), run.count);
-}
-
-template <typename L>
 void JointSetOf<L>::sweep(std::span<Velocity> bodies, const JointSweep& how)
 {
-    for_each_run([&](std::size_t first, int count) {
-        kernels_->on_velocities.sweep(batches_.data() + first, count, numbers_.data(), bodies.data(), how);
-    });
+    kernels_->on_velocities.sweep(batches_.data(), int(batches_.size()), numbers_.data(), bodies.data(), how);
 }
 
 template <>
@@ -360,10 +337,8 @@ void FloatJointSet::apply_impulses(std::span<FloatVelocity> bodies) const
 template <>
 void FloatJointSet::sweep(std::span<FloatVelocity> bodies, const JointSweep& how)
 {
-    for_each_run([&](std::size_t first, int count) {
-        machine_->floats->on_floats.sweep(batches_.data() + first, count, numbers_.data(), bodies.data(),
-                                          how);
-    });
+    machine_->floats->on_floats.sweep(batches_.data(), int(batches_.size()), numbers_.data(), bodies.data(),
+                                      how);
 }
 
 // Calls f(row of the system, its place in the batch, the batch's numbers and layout, lane).

@@ -4,14 +4,12 @@
 // Joints packed for sweeping (solve/joints/joint_batch.h) and the operations on all of them. Graph colouring:
 // joints of one colour share no dynamic body. Each gets the smallest colour that its bodies have free, in the
 // order of the joints. Joints of one colour and one shape of rows form batches of up to eight. Sweeps go
-// colour by colour, in one order throughout a step: alternating directions, as symmetric SOR does, visit the
-// last colour twice in a row, and a hanging net separated twice as far. QuickStep draws a new order for
-// each step (shuffle), by a key for each colour. Since colours depend on the neighbours alone, an island has the same
+// colour by colour, always in the same direction: alternating directions, as symmetric SOR does, made a
+// hanging net separate twice as far. Since colours depend on the neighbours alone, an island has the same
 // answer whether it is packed alone or with others. solve/joints/joint_lanes.h decides which joints are
 // packed in floats.
 #pragma once
 
-#include <cstdint>
 #include <span>
 
 #include "base/arena.h"
@@ -42,9 +40,6 @@ class JointSetOf {
     bool follow(const RowSystem& system, const Substep& step, std::span<const Velocity> bodies, Arena& arena);
     void turn(const RowSystem& system);
     void load_substep(const RowSystem& system, const Substep& step);
-
-    // Once, after pack: sweeps visit the colours in an order that the seed draws, of any two the same one whatever else is packed.
-    void shuffle(std::uint64_t seed);
 
     void apply_impulses(std::span<Velocity> bodies) const;  // v += M^-1 J^T p
     void sweep(std::span<Velocity> bodies, const JointSweep& how);
@@ -84,12 +79,6 @@ class JointSetOf {
         int block, colour, shape;
     };
 
-    // The batches of a colour, which are side by side.
-    struct ColourRun {
-        int first, count;
-        std::uint64_t place;  // drawn
-    };
-
     static Shape shape_of(const RowSystem& system, const RowBlock& block);
     void colour(const RowSystem& system, std::span<Joint> joints, Arena& arena);
     int find_shapes(const RowSystem& system, std::span<Joint> joints);
@@ -105,9 +94,6 @@ class JointSetOf {
     void visit_lanes(const JointBatch& batch, const bool* lanes, L* n, int world, std::span<Velocity> bodies);
     template <typename Visit>
     void for_each_row(Visit&& f) const;
-    // Calls f(first batch, number of batches) in the order of a sweep.
-    template <typename Visit>
-    void for_each_run(Visit&& f) const;
 
     // Forms other than the free one have at most kMaxJointRows rows.
     static constexpr int kShapes =
@@ -120,8 +106,6 @@ class JointSetOf {
     std::span<L> numbers_, facts_;
     Shape shapes_[kShapes];
     int colours_ = 0;
-    std::span<ColourRun> runs_;
-    bool shuffled_ = false;
 };
 
 using JointSet = JointSetOf<Lanes>;

@@ -34,7 +34,6 @@ Outcome step_by_sweeps(IslandRun& run, const ProblemForm& form, const WarmStart&
     const SweepSettings settings{.iterations = run.settling_iterations(settling),
                                  .w = run.world.quick_w,
                                  .seed = run.seed(),
-                                 .order = run.world.step_count * 0x9e3779b97f4a7c15u,
                                  .want_residual = !run.reports.empty(),
                                  .part_residuals = run.part_residuals};
     const bool sane = kSolve(work.system, settings, run.arena, run.solved) && run.is_sound();

@@ -5,8 +5,8 @@
 // program might build them, none made for the solver. Joints do no work, so that none may end up with more energy than it
 // began with, but for what position correction and a first-order step add. Exact joints (dWorldStep; substeps with exact
 // joints) hold to that in all of them, and substeps, which turn to exact joints where sweeps do not hold, but for one in 200.
-// Sweeps of dWorldQuickStep that end early do not in some, of which no change may make more: at 2 ms 6 of 300, at 5 ms 11 (Debian's
-// library: 6 and 14; with one order of joints in all steps 17 and 16). Of 1,000 trees 7, 2 and 2 gain with 4, 8 and 16 substeps.
+// Sweeps of dWorldQuickStep that end early do not in some, of which no change may make more. Of 1,000 trees 61 gain in QuickStep,
+// and 7, 2 and 2 with 4, 8 and 16 substeps.
 #include <algorithm>
 #include <vector>
 
@@ -23,8 +23,6 @@ struct Way {
     int (*step)(dWorldID, dReal);
     int max_gains;
     int trees = 100;
-    double h = 0;  // 0: the tree's own
-    double seconds = 4;
 };
 
 int with_exact_joints(dWorldID world, dReal h)
@@ -175,9 +173,9 @@ class RandomTrees : public testing::TestWithParam<Way> {};
 
 bool gains_energy(Tree& tree, const Way& way)
 {
-    const double start = tree.energy(), h = way.h > 0 ? way.h : tree.h;
-    for (int i = 0; i * h < way.seconds; ++i) {
-        EXPECT_EQ(way.step(tree.sim.world, real(h)), 1);
+    const double start = tree.energy();
+    for (int i = 0; i * tree.h < 4; ++i) {
+        EXPECT_EQ(way.step(tree.sim.world, real(tree.h)), 1);
         if (!(tree.energy() < start + 0.02 * tree.fall())) return true;
     }
     return false;
@@ -204,8 +202,6 @@ INSTANTIATE_TEST_SUITE_P(Ways, RandomTrees,
                                          Way{"exact_rotation_at_60", with_exact_rotation_at_60, 0},
                                          Way{"exact_joints", with_exact_joints, 0},
                                          Way{"quick", dWorldQuickStep, 5},
-                                         Way{"quick_at_2_ms", dWorldQuickStep, 8 + kSingle, 300, 0.002, 2},
-                                         Way{"quick_at_5_ms", dWorldQuickStep, 13 + kSingle, 300, 0.005, 2},
                                          Way{"substeps4", in_substeps<4>, 1 + kSingle, 200},
                                          Way{"substeps8", in_substeps<8>, 1 + kSingle, 200},
                                          Way{"substeps16", in_substeps<16>, 0}),
