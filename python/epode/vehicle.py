@@ -78,7 +78,7 @@ class Wheel:
     __slots__ = ("vehicle", "number")
 
     def __init__(self, vehicle: Vehicle, number: int) -> None:
-        """The wheel of that number, 0 for the first that was added."""
+        """The wheel of the vehicle with that number, 0 for the first that was added."""
         self.vehicle, self.number = vehicle, number
 
     def __repr__(self) -> str:

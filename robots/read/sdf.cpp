@@ -488,7 +488,9 @@ void Sdf::read(const sdf::Root& root)
     for (std::uint64_t i = 0; i < root.WorldCount(); ++i) {
         const sdf::World& its = *root.WorldByIndex(i);
         model_.name = its.Name(), model_.gravity = vec_of(its.Gravity());
-        if (const sdf::Physics* physics = its.PhysicsDefault()) model_.stepsize = physics->MaxStepSize();
+        const sdf::Physics* const physics = its.PhysicsDefault();
+        if (physics && physics->Element() && physics->Element()->GetExplicitlySetInFile())
+            model_.stepsize = physics->MaxStepSize();
         for (std::uint64_t k = 0; k < its.ModelCount(); ++k) {
             const sdf::Model& model = *its.ModelByIndex(k);
             Pose place;

@@ -214,19 +214,19 @@ extern "C" int dRagdollFollow(const dBone* bones, const dBodyID* bodies, int cou
     EPODE_USER_SAY(usable(weight) && weight >= 0 && weight <= 1, "weight (accepted: 0 ... 1)", 0);
     EPODE_USER_SAY(usable(h) && h > 0 && h <= 1, "h (accepted: above 0, at most 1 s)", 0);
     Placed placed[dRagdollMaxBones];
-    Velocities ways[dRagdollMaxBones];
+    Velocities moves[dRagdollMaxBones];
     for (int i = 0; i < count; ++i) {
         Quat q = load_quat(pose[i]);
         (void)normalize(q);
         placed[i] = i == 0 ? Placed{load(position), q} : place_bone(bones, i, placed[bones[i].parent], q);
-        ways[i] = way_to(bodies[i], placed[i], weight, h);
-        EPODE_USER_SAY(usable(&ways[i].linear.x, 3) && usable(&ways[i].angular.x, 3),
+        moves[i] = way_to(bodies[i], placed[i], weight, h);
+        EPODE_USER_SAY(usable(&moves[i].linear.x, 3) && usable(&moves[i].angular.x, 3),
                        "the pose is too far away for a step of h", 0);
     }
     int following = 0;
     for (int i = 0; i < count; ++i) {
         if (share_of(bodies[i], weight) == 0) continue;
-        follow(bodies[i], ways[i], weight);
+        follow(bodies[i], moves[i], weight);
         ++following;
     }
     return following;
