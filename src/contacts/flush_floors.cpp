@@ -16,6 +16,7 @@
 #include <algorithm>
 
 #include "contacts/contact_world.h"
+#include "contacts/manifold_points.h"
 #include "contacts/pair_rules.h"
 #include "geometry/overlap/gjk.h"
 
