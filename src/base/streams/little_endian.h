@@ -19,6 +19,7 @@ static_assert(std::endian::native == std::endian::little || std::endian::native 
 template <std::size_t size>
 inline void copy_little(void* to, const void* from, std::size_t count)
 {
+    if (count == 0) return;  // of nothing, addresses may be null
     if constexpr (std::endian::native == std::endian::little || size == 1) {
         std::memcpy(to, from, size * count);
     } else {
