@@ -54,7 +54,7 @@ class Character(Geom):
     _filter: Filter | None
 
     def __init__(self, world: World, handle: c.dGeomID, shape: Shape, body: Body | None = None) -> None:
-        """As ``World.character`` does: handle is a character in the world, of the shape."""
+        """As ``World.character`` does: handle is a character in the world, of the shape; body: that it is on, if any."""
         super().__init__(world, handle, shape, body)
         self._filter = None
 
