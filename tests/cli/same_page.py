@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
-"""same_page.py A B: whether two replay pages tell the same, but for the time by the clock that each step took.
+"""same_page.py A B: whether two replay pages hold the same, but for the time by the clock of each step.
 
 The numbers are compressed (RFC 1951), so that pages which differ in times alone differ in length as well."""
 import base64
@@ -11,7 +11,7 @@ import sys
 import zlib
 
 
-def told(path: str) -> tuple[str, bytes]:
+def content(path: str) -> tuple[str, bytes]:
     """The page with its data put aside, and the data without times by the clock."""
     text = open(path, encoding="utf-8").read()
     head = json.loads(re.search(r'<script id="head">(.*?)</script>', text, re.S)[1])
@@ -22,5 +22,5 @@ def told(path: str) -> tuple[str, bytes]:
     return text[:packed.start()] + text[packed.end():], bytes(data)
 
 
-first, second = told(sys.argv[1]), told(sys.argv[2])
+first, second = content(sys.argv[1]), content(sys.argv[2])
 sys.exit(0 if first == second and first[1] else 1)
