@@ -92,21 +92,19 @@ bool cap_spin(const Body& body, Vec3& w)
 }
 
 // With ODE's gyroscopic torque.
-Vec3 turned_by_torque(const Body& body, Vec3 w, Vec3 torque, Real h)
+Vec3 turned_by_torque(const Body& body, const Mat3& R, Vec3 w, Vec3 torque, Real h)
 {
-    const Mat3 R = body.rotation();
-    const Vec3 all = torque + gyroscopic_torque(body, w, h);
+    const Vec3 all = torque + gyroscopic_torque(body, R, w, h);
     return w + h * (R * (body.inv_inertia * transposed_times(R, all)));
 }
 
 }  // namespace
 
-Vec3 kicked_spin(Body& body, Vec3 torque, Vec3 w, Real h)
+Vec3 kicked_spin(Body& body, const Mat3& R, Vec3 torque, Vec3 w, Real h)
 {
     const Vec3 before = body.spin_excess;
     body.spin_excess = {};
     if (body.kinematic() || (w == Vec3{} && torque == Vec3{} && before == Vec3{})) return w;
-    const Mat3 R = body.rotation();
     if (!body.gyroscopic || isotropic(body.inertia))
         return w + h * (R * (body.inv_inertia * transposed_times(R, torque)));
 
@@ -114,10 +112,10 @@ Vec3 kicked_spin(Body& body, Vec3 torque, Vec3 w, Real h)
     Vec3 W;
     if (!solve_middle(body.inertia, body.inv_inertia, l, h, true, W) &&
         !solve_middle(body.inertia, body.inv_inertia, l, h, false, W))
-        return turned_by_torque(body, w, torque, h);
+        return turned_by_torque(body, R, w, torque, h);
     const Vec3 excess = l - body.inertia * W;
     if (body.lasting && length2(excess) > kLargestExcess * kLargestExcess * length2(l))
-        return turned_by_torque(body, R * (body.inv_inertia * l), {}, h);
+        return turned_by_torque(body, R, R * (body.inv_inertia * l), {}, h);
     body.spin_excess = excess;
     return R * W;
 }
@@ -130,6 +128,17 @@ Vec3 spin_momentum(const Sym3& I, Vec3 W, Real h)
     return IW + (h / 2 * s) * cross(W, IW);
 }
 
+Quat turned_exactly(Body& body, Quat q, Vec3 m, Vec3 w, Real h)
+{
+    const bool split = body.finite_rotation && !(body.finite_axis == Vec3{});
+    const Quat after = split ? turned(body, q, m, h) : turn_exactly(q, m, h);
+    if (body.spin_excess == Vec3{}) return after;
+    const Mat3 R0 = to_matrix(q), R1 = to_matrix(after);
+    const Vec3 momentum = body.inertia * transposed_times(R0, w) + body.spin_excess;
+    body.spin_excess = transposed_times(R1, R0 * momentum) - body.inertia * transposed_times(R1, w);
+    return after;
+}
+
 void advance_pose_exactly(Body& body, Real h, bool free)
 {
     Vec3 w = body.angular_velocity();
@@ -137,21 +146,14 @@ void advance_pose_exactly(Body& body, Real h, bool free)
         body.spin_excess = {};
         store(body.avel, w);
     }
-    const Mat3 R0 = body.rotation();
+    const Vec3 middle = body.inertia * transposed_times(body.rotation(), w), excess = body.spin_excess;
     store(body.pos, body.position() + h * body.velocity());
-    const bool split = body.finite_rotation && !(body.finite_axis == Vec3{});
-    Quat q = split ? turned(body, body.orientation(), w, h) : turn_exactly(body.orientation(), w, h);
+    Quat q = turned_exactly(body, body.orientation(), w, w, h);
     if (normalize(q)) set_orientation(body, q);
-    if (body.spin_excess == Vec3{}) return;
+    if (!free || excess == Vec3{}) return;
 
-    const Mat3 R1 = body.rotation();
-    const Vec3 middle = body.inertia * transposed_times(R0, w);
-    if (!free) {
-        body.spin_excess = transposed_times(R1, R0 * (middle + body.spin_excess)) - middle;
-        return;
-    }
     // l1 = 2 I W - l0: the same as exp(-h W) l0 where the scaling is exact, and no energy is lost where not.
-    w = R1 * (body.inv_inertia * (middle - body.spin_excess));
+    w = body.rotation() * (body.inv_inertia * (middle - excess));
     cap_spin(body, w);
     store(body.avel, w);
     body.spin_excess = {};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Accurate integration of rotation: of bodies on nothing, and of all with dWorldSetExactRotation; ODE's own is in integrate.h. The
-// state is the angular momentum; `Body::spin_excess` is the part of it that the stored angular velocity does not show.
+// Accurate integration of rotation: of bodies on nothing, and with dWorldSetExactRotation of the others as far as they turn; ODE's own is in
+// integrate.h. The state is the angular momentum; `Body::spin_excess` is the part of it that the stored angular velocity does not show.
 #pragma once
 
 #include "dynamics/world.h"
@@ -11,14 +11,30 @@ namespace epode {
 
 inline bool is_unattached(const Body& body) { return !body.joints && !body.manifolds; }
 
-inline bool turns_exactly(const World& world, const Body& body)
+// A turn in a step, rad, below which ODE's rotation errs by less than 1e-8 of the spin: bodies at rest pay nothing.
+inline constexpr Real kSlowTurn = Real(1e-4);
+
+inline bool turns_exactly(const World& world, const Body& body, Real h)
 {
-    return world.exact_rotation || (is_unattached(body) && !world.acts_as_ode());
+    if (is_unattached(body)) return world.exact_rotation || !world.acts_as_ode();
+    return world.exact_rotation && length2(body.angular_velocity()) * (h * h) > kSlowTurn * kSlowTurn;
 }
 
-// The angular velocity w of the world after torque and gyroscopic effect over a step h: the v* of
+// What the velocity lacks of a body that does not turn exactly any more.
+inline Vec3 release_excess(Body& body)
+{
+    if (body.spin_excess == Vec3{}) return {};
+    const Vec3 lacking = body.rotation() * (body.inv_inertia * body.spin_excess);
+    body.spin_excess = {};
+    return lacking;
+}
+
+// The angular velocity w of the world after torque and gyroscopic effect over a step h, of a body with rotation R: the v* of
 // constraints. Leaves the momentum that this velocity lacks in the body's excess.
-Vec3 kicked_spin(Body& body, Vec3 torque, Vec3 w, Real h);
+Vec3 kicked_spin(Body& body, const Mat3& R, Vec3 torque, Vec3 w, Real h);
+
+// The orientation q after a turn by exp(h m); the excess follows of a body that has the velocity w, most often m.
+Quat turned_exactly(Body& body, Quat q, Vec3 m, Vec3 w, Real h);
 
 // The momentum in the world, about the centre, of a free body of inertia I (in the world, where it begins) that turns by exp(h W) in a step.
 Vec3 spin_momentum(const Sym3& I, Vec3 W, Real h);

@@ -22,7 +22,8 @@ struct BodyLanes {
     Lanes uneven;           // 1: the inertia is not the same about all axes
     Lanes max_spin;         // rad/s
     bool any_gyroscopic, any_uneven, any_limit;
-    unsigned char finite;  // bit by bit: body uses ODE's finite rotation mode, which is not done here
+    // Bit by bit: the body uses ODE's finite rotation mode, or turns exactly. Neither is done here.
+    unsigned char finite, exact;
 };
 
 }  // namespace epode

@@ -215,7 +215,6 @@ void StepUndo::restore_body(std::size_t i) const
     restore_pose(body, saved);
     store(body.lvel, saved.velocity), store(body.avel, saved.angular_velocity);
     store(body.facc, saved.force), store(body.tacc, saved.torque);
-    body.spin_excess = saved.spin_excess;
 }
 
 void StepUndo::restore_bodies(std::span<Body* const> piece) const
@@ -238,6 +237,7 @@ void StepUndo::restore_pose(Body& body, const Saved& saved)
     store(body.pos, saved.position);
     store_quat(body.q, saved.orientation);
     store_mat(body.R, saved.rotation);
+    body.spin_excess = saved.spin_excess;
 }
 
 void StepUndo::restore_impulses() const

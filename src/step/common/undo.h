@@ -33,7 +33,7 @@ class StepUndo {
     void restore() const;
     // Poses, velocities and forces of a piece of bodies(), as they were when the step began.
     void restore_bodies(std::span<Body* const> piece) const;
-    // Poses of a piece of bodies(): where they were when the step began.
+    // Poses of a piece of bodies() as they were when the step began, and what of the momentum velocities did not show.
     void restore_poses(std::span<Body* const> piece) const;
 
     // The bodies of all islands, one after the other, and where each was when the step began.

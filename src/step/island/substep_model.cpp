@@ -7,6 +7,7 @@
 // them stay those of the beginning until the step is accepted.
 #include "step/island/substep_model.h"
 
+#include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
 #include "joints/drive_rows.h"
 #include "step/island/problem/assemble.h"
@@ -83,7 +84,7 @@ bool SubstepModel::prepare(Arena& arena)
     // Ranges of bodies begin with a group of lanes.
     static_assert(kObjectRange % kLanes == 0);
     for_each_prefetched<kLinesOfBody>(tasks_, island_bodies(), [&](std::size_t i, Body& body) {
-        const SolverBody& solver = system.bodies[i];
+        SolverBody& solver = system.bodies[i];
         load_body(i, body, solver);
         if (!system.poses.empty()) load_pose(body, solver, system.poses[i]);
     });
@@ -100,19 +101,31 @@ void SubstepModel::in_groups(F&& f) const
                      [&](int first, int last) { f(lanes_.data() + first / kLanes, first, last - first); });
 }
 
-void SubstepModel::load_body(std::size_t i, const Body& body, const SolverBody& solver)
+// What is free turns over the whole step (step/island/free_flight.h). A raised inertia has another momentum, and what the velocity did
+// not show of it becomes velocity.
+bool SubstepModel::begin_exact_turn(Body& body, SolverBody& solver, bool raised) const
+{
+    if (body.kinematic() || is_unattached(body)) return false;
+    if (!raised && turns_exactly(world_, body, info_.h)) return true;
+    solver.w += release_excess(body);
+    return false;
+}
+
+void SubstepModel::load_body(std::size_t i, Body& body, SolverBody& solver)
 {
     const std::size_t lane = i % kLanes;
     BodyLanes& to = lanes_[i / kLanes];
-    if (lane == 0) to.any_gyroscopic = to.any_uneven = to.any_limit = false, to.finite = 0;
+    if (lane == 0) to.any_gyroscopic = to.any_uneven = to.any_limit = false, to.finite = to.exact = 0;
     const bool raised = tension_ && is_raised(body, solver);
     const Sym3 inv_inertia =
         raised ? rotate(transpose(body.rotation()), solver.inv_inertia) : body.inv_inertia;
     const bool uneven = raised || !isotropic(body.inv_inertia);
-    const bool gyroscopic = body.gyroscopic && !body.kinematic() && !isotropic(body.inertia);
+    const bool exact = begin_exact_turn(body, solver, raised);
+    const bool gyroscopic = !exact && body.gyroscopic && !body.kinematic() && !isotropic(body.inertia);
     const bool limit = body.max_angular_speed < kInf;
     to.any_uneven |= uneven, to.any_gyroscopic |= gyroscopic, to.any_limit |= limit;
     if (body.finite_rotation) to.finite = static_cast<unsigned char>(to.finite | 1u << lane);
+    if (exact) to.exact = static_cast<unsigned char>(to.exact | 1u << lane);
     to.uneven[int(lane)] = uneven ? 1 : 0, to.max_spin[int(lane)] = body.max_angular_speed;
     set(to.x, lane, body.position());
     set(to.q, lane, body.orientation()), set(to.next, lane, body.orientation());
@@ -133,26 +146,48 @@ void SubstepModel::apply_forces(std::span<Velocity> bodies, Real h) const
     });
 }
 
-void SubstepModel::advance(std::span<Velocity> bodies, Real h)
+void SubstepModel::advance(std::span<Velocity> motion, std::span<const Velocity> bodies, Real h)
 {
     const std::span<SolverPose> poses = work_.system.poses;
     in_groups([&](BodyLanes* groups, int first, int count) {
-        kernels_.turn(groups, count, bodies.data() + first, h);
+        kernels_.turn(groups, count, motion.data() + first, h);
         for (int i = 0; i < count; i += kLanes)
-            if (groups[i / kLanes].finite) turn_finitely(std::size_t((first + i) / kLanes), bodies.data(), h);
+            turn_few(std::size_t((first + i) / kLanes), motion.data(), bodies.data(), h);
         kernels_.place(groups, count, poses.empty() ? nullptr : poses.data() + first);
     });
 }
 
-// Few bodies want it.
-void SubstepModel::turn_finitely(std::size_t group, const Velocity* bodies, Real h)
+// f(lane, index of the body) for each set bit.
+template <typename F>
+void SubstepModel::for_bits(std::size_t group, unsigned char bits, F&& f) const
+{
+    for (std::size_t lane = 0; lane < kLanes && bits >> lane != 0; ++lane)
+        if (bits >> lane & 1) f(lane, group * kLanes + lane);
+}
+
+void SubstepModel::kick_spins(std::span<Velocity> bodies, Real h) const
+{
+    in_groups([&](BodyLanes* groups, int first, int count) {
+        for (int i = 0; i < count; i += kLanes) {
+            const BodyLanes& lanes = groups[i / kLanes];
+            for_bits(std::size_t((first + i) / kLanes), lanes.exact, [&](std::size_t lane, std::size_t body) {
+                const Mat3 R{vec_in(lanes.R, lane), vec_in(lanes.R + 3, lane), vec_in(lanes.R + 6, lane)};
+                bodies[body].w = kicked_spin(*work_.island.bodies[body], R, {}, bodies[body].w, h);
+            });
+        }
+    });
+}
+
+void SubstepModel::turn_few(std::size_t group, const Velocity* motion, const Velocity* bodies, Real h)
 {
     BodyLanes& lanes = lanes_[group];
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        if (!(lanes.finite >> lane & 1)) continue;
-        const std::size_t i = group * kLanes + lane;
-        set(lanes.next, lane, turned(*work_.island.bodies[i], quat_in(lanes.q, lane), bodies[i].w, h));
-    }
+    for_bits(group, lanes.finite, [&](std::size_t lane, std::size_t i) {
+        set(lanes.next, lane, turned(*work_.island.bodies[i], quat_in(lanes.q, lane), motion[i].w, h));
+    });
+    for_bits(group, lanes.exact, [&](std::size_t lane, std::size_t i) {
+        set(lanes.next, lane,
+            turned_exactly(*work_.island.bodies[i], quat_in(lanes.q, lane), motion[i].w, bodies[i].w, h));
+    });
 }
 
 void SubstepModel::settle()

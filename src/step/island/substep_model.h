@@ -27,11 +27,15 @@ class SubstepModel {
     // Before the first call: bodies into lanes, and the system's poses. False: out of memory.
     bool prepare(Arena& arena);
 
-    // v += h M^-1 f with gravity and gyroscopic torque.
+    // v += h M^-1 f with gravity, and gyroscopic torque where bodies turn as ODE turns them.
     void apply_forces(std::span<Velocity> bodies, Real h) const;
+    // The same effect on the others (dynamics/exact_spin.h), once before each advance().
+    void kick_spins(std::span<Velocity> bodies, Real h) const;
     // x += h v, and bodies rotate; angular velocities above a body's limit are cut. Updates the system's poses
     // and nothing else.
-    void advance(std::span<Velocity> bodies, Real h);
+    void advance(std::span<Velocity> bodies, Real h) { advance(bodies, bodies, h); }
+    // Along `motion`, where the bodies' velocities have become others.
+    void advance(std::span<Velocity> motion, std::span<const Velocity> bodies, Real h);
     // Updates the bodies themselves and the inertia in the SolverBodies to the poses.
     void settle();
     // Settles everything and rewrites Jacobians and errors of the rows at the present pose and velocities,
@@ -45,8 +49,11 @@ class SubstepModel {
     std::span<Body* const> island_bodies() const { return work_.island.bodies; }
     template <typename F>
     void in_groups(F&& f) const;
-    void load_body(std::size_t i, const Body& body, const SolverBody& solver);
-    void turn_finitely(std::size_t group, const Velocity* bodies, Real h);
+    void load_body(std::size_t i, Body& body, SolverBody& solver);
+    bool begin_exact_turn(Body& body, SolverBody& solver, bool raised) const;
+    template <typename F>
+    void for_bits(std::size_t group, unsigned char bits, F&& f) const;
+    void turn_few(std::size_t group, const Velocity* motion, const Velocity* bodies, Real h);
     void refresh_block(std::size_t k, std::span<const Velocity> bodies);
 
     IslandWork& work_;

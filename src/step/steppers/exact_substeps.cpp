@@ -130,7 +130,7 @@ bool ExactSubsteps::begin()
     }
     for (std::size_t i = 0; i < before_.size(); ++i) {
         const Body& b = *island_.bodies[i];
-        before_[i] = {b.velocity(), b.angular_velocity(), b.spin_excess, load(b.facc), load(b.tacc), {}, {}};
+        before_[i] = {b.velocity(), b.angular_velocity(), load(b.facc), load(b.tacc), {}, {}};
     }
     for (Feedback& f : feedback_) f = {};
     return true;
@@ -143,7 +143,6 @@ void ExactSubsteps::undo()
         Body& b = *island_.bodies[i];
         store(b.lvel, before_[i].v);
         store(b.avel, before_[i].w);
-        b.spin_excess = before_[i].excess;
     }
 }
 

@@ -40,7 +40,7 @@ class ExactSubsteps {
 
   private:
     struct Before {
-        Vec3 v, w, excess, force, torque;
+        Vec3 v, w, force, torque;
         Vec3 moving_force, moving_torque;  // parts of the program's that have become a kick
     };
     struct Feedback {

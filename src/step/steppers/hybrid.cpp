@@ -201,11 +201,7 @@ void remember_work(HybridState& state, const IslandMethod& method)
 void remember_choice(const Island& island, const IslandMethod& method)
 {
     remember_strain(island, method);
-    const Stepper& stepper = method.gave_up ? *method.fallback : *method.stepper;
-    for (Body* body : island.bodies) {
-        remember_work(body->hybrid, method);
-        if (stepper.has_substeps) body->spin_excess = {};  // substeps integrate the rotation without it
-    }
+    for (Body* body : island.bodies) remember_work(body->hybrid, method);
     for (Joint* joint : island.joints) joint->begun = true;
 }
 

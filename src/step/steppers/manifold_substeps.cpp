@@ -34,6 +34,7 @@ class ManifoldSubsteps {
             const Velocity &now = velocities_[i], then = force_velocity_[i];
             force_velocity_[i] = {share * (then.v - now.v), 0, share * (then.w - now.w), 0};
         });
+        model_.kick_spins(velocities_.first(force_velocity_.size()), system_.h);
         manifolds_.expect_impacts(system_, force_velocity_);
         return true;
     }
@@ -57,7 +58,7 @@ class ManifoldSubsteps {
     {
         const Real share = 1 / Real(step_.n);
         each_body([&](std::size_t i) { mean_[i] = {share * mean_[i].v, 0, share * mean_[i].w, 0}; });
-        model_.advance(mean_, system_.h);
+        model_.advance(mean_, velocities_.first(mean_.size()), system_.h);
         model_.settle();
     }
 

@@ -3,7 +3,7 @@
 //
 // n substeps of hs = h/n instead of n sweeps over one large step. Per substep:
 //
-//   v += hs M^-1 f
+//   v += hs M^-1 f, and the effect of rotation
 //   correct the velocities, position errors included    solve/substeps/substep_solver.h
 //   x += hs v
 //   relax them, without the errors
@@ -38,6 +38,7 @@ bool make_substeps(SubstepSolver<Joints>& solver, Model& model, std::span<Veloci
         const bool last = i == n - 1, judged = last && solver.judges();
         if (i > 0) model.refresh(velocities);
         model.apply_forces(velocities, hs);
+        model.kick_spins(velocities, hs);
         if (judged) model.settle(), solver.begin_judged();
         solver.correct();
         if (judged && !solver.judge(report, arena)) return false;

@@ -32,6 +32,7 @@ struct Model {
         for (std::size_t i = 0; i < p.bodies.size(); ++i)
             if (p.bodies[i].inv_mass > 0) bodies[i].v += h * gravity;
     }
+    void kick_spins(std::span<Velocity>, Real) {}
     void advance(std::span<const Velocity> bodies, Real h) const
     {
         for (std::size_t i = 0; i < p.places.size(); ++i) p.places[i] += h * bodies[i].v;
