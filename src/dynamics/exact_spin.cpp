@@ -100,6 +100,12 @@ Vec3 turned_by_torque(const Body& body, const Mat3& R, Vec3 w, Vec3 torque, Real
 
 }  // namespace
 
+Vec3 kicked_spin(Body& body, Vec3 torque, Vec3 w, Real h)
+{
+    if (w == Vec3{} && torque == Vec3{} && body.spin_excess == Vec3{}) return w;
+    return kicked_spin(body, body.rotation(), torque, w, h);
+}
+
 Vec3 kicked_spin(Body& body, const Mat3& R, Vec3 torque, Vec3 w, Real h)
 {
     const Vec3 before = body.spin_excess;
@@ -128,14 +134,27 @@ Vec3 spin_momentum(const Sym3& I, Vec3 W, Real h)
     return IW + (h / 2 * s) * cross(W, IW);
 }
 
-Quat turned_exactly(Body& body, Quat q, Vec3 m, Vec3 w, Real h)
+namespace {
+
+Quat turned_by(const Body& body, Quat q, Vec3 m, Real h)
 {
     const bool split = body.finite_rotation && !(body.finite_axis == Vec3{});
-    const Quat after = split ? turned(body, q, m, h) : turn_exactly(q, m, h);
-    if (body.spin_excess == Vec3{}) return after;
-    const Mat3 R0 = to_matrix(q), R1 = to_matrix(after);
+    return split ? turned(body, q, m, h) : turn_exactly(q, m, h);
+}
+
+// The momentum in the world stays while the body turns from R0 to R1.
+void carry_excess(Body& body, const Mat3& R0, const Mat3& R1, Vec3 w)
+{
     const Vec3 momentum = body.inertia * transposed_times(R0, w) + body.spin_excess;
     body.spin_excess = transposed_times(R1, R0 * momentum) - body.inertia * transposed_times(R1, w);
+}
+
+}  // namespace
+
+Quat turned_exactly(Body& body, Quat q, Vec3 m, Vec3 w, Real h)
+{
+    const Quat after = turned_by(body, q, m, h);
+    if (!(body.spin_excess == Vec3{})) carry_excess(body, to_matrix(q), to_matrix(after), w);
     return after;
 }
 
@@ -146,14 +165,15 @@ void advance_pose_exactly(Body& body, Real h, bool free)
         body.spin_excess = {};
         store(body.avel, w);
     }
-    const Vec3 middle = body.inertia * transposed_times(body.rotation(), w), excess = body.spin_excess;
+    const Mat3 R0 = body.rotation();
     store(body.pos, body.position() + h * body.velocity());
-    Quat q = turned_exactly(body, body.orientation(), w, w, h);
+    Quat q = turned_by(body, body.orientation(), w, h);
     if (normalize(q)) set_orientation(body, q);
-    if (!free || excess == Vec3{}) return;
+    if (body.spin_excess == Vec3{}) return;
+    if (!free) return carry_excess(body, R0, body.rotation(), w);
 
     // l1 = 2 I W - l0: the same as exp(-h W) l0 where the scaling is exact, and no energy is lost where not.
-    w = body.rotation() * (body.inv_inertia * (middle - excess));
+    w = body.rotation() * (body.inv_inertia * (body.inertia * transposed_times(R0, w) - body.spin_excess));
     cap_spin(body, w);
     store(body.avel, w);
     body.spin_excess = {};

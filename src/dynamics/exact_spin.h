@@ -23,7 +23,7 @@ inline bool turns_exactly(const World& world, const Body& body, Real h)
 // What the velocity lacks of a body that does not turn exactly any more.
 inline Vec3 release_excess(Body& body)
 {
-    if (body.spin_excess == Vec3{}) return {};
+    if (!body.world->exact_rotation || body.spin_excess == Vec3{}) return {};
     const Vec3 lacking = body.rotation() * (body.inv_inertia * body.spin_excess);
     body.spin_excess = {};
     return lacking;
@@ -32,6 +32,7 @@ inline Vec3 release_excess(Body& body)
 // The angular velocity w of the world after torque and gyroscopic effect over a step h, of a body with rotation R: the v* of
 // constraints. Leaves the momentum that this velocity lacks in the body's excess.
 Vec3 kicked_spin(Body& body, const Mat3& R, Vec3 torque, Vec3 w, Real h);
+Vec3 kicked_spin(Body& body, Vec3 torque, Vec3 w, Real h);
 
 // The orientation q after a turn by exp(h m); the excess follows of a body that has the velocity w, most often m.
 Quat turned_exactly(Body& body, Quat q, Vec3 m, Vec3 w, Real h);

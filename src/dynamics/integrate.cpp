@@ -42,11 +42,17 @@ Quat turned(const Body& body, Quat q, Vec3 w, Real h)
     return turn_infinitesimally(turn_exactly(q, along, h), w - along, rest);
 }
 
+Vec3 gyroscopic_torque(const Body& body, Vec3 w, Real h)
+{
+    // L is parallel to w where the inertia is the same about all axes.
+    if (!body.gyroscopic || body.kinematic() || isotropic(body.inertia)) return {};
+    return gyroscopic_torque(body, body.rotation(), w, h);
+}
+
 Vec3 gyroscopic_torque(const Body& body, const Mat3& R, Vec3 w, Real h)
 {
-    if (!body.gyroscopic || body.kinematic()) return {};
+    if (!body.gyroscopic || body.kinematic() || isotropic(body.inertia)) return {};
     const Sym3& J = body.inertia;
-    if (J.xx == J.yy && J.yy == J.zz && J.xy == 0 && J.xz == 0 && J.yz == 0) return {};  // L is parallel to w
     const Vec3 L = J * transposed_times(R, w), k = h * L;
     // Rows of M, and u by Cramer's rule.
     const Vec3 x = {J.xx, J.xy + k.z, J.xz - k.y}, y = {J.xy - k.z, J.yy, J.yz + k.x},

@@ -11,6 +11,7 @@ namespace epode {
 // Torque of gyroscopic precession of a body with rotation R over a step h, so chosen that no spin rate makes it unstable; zero when the
 // body does not want it.
 Vec3 gyroscopic_torque(const Body& body, const Mat3& R, Vec3 angular_velocity, Real h);
+Vec3 gyroscopic_torque(const Body& body, Vec3 angular_velocity, Real h);
 
 // The orientation after a turn of q with w for h: by the exponential map, and as the body's finite rotation
 // mode asks.

@@ -26,12 +26,12 @@ struct Golden {
 };
 
 constexpr Golden kGolden[2][8] = {{{0xcfc47b9c733600f0, 0xc8940ca83bd403a6},
-                                   {0xf603796438fa02a4, 0x395643fcbade90cd},
-                                   {0x84ef1cf5b6a558cb, 0xfa32ae0fe614778b},
+                                   {0xb85c18613425843f, 0xf46f9c49a2fd4d1e},
+                                   {0xfabf6fa2ab9b32e1, 0x5faef3141c78ca8c},
                                    {0x2b1efdc9fac97e50, 0xd8785d3a866dec13},
                                    {0x9e32cb793f0a3e97, 0x65262967224a638a},
-                                   {0x7143c2e52777cec6, 0x5285c8867fda35cf},
-                                   {0xf10c40a8b34d2015, 0x6db15fcbe821143d},
+                                   {0x11046c466e1c64ce, 0xb0cabd691799d7e0},
+                                   {0xe5e9bd66e4a0b7bc, 0x0ae621bc36418722},
                                    {0x9ff530a8bbe41f8f, 0xe937b13066b36fff}},
                                   {{0x64c2d39453277569, 0x492c57956792288e},
                                    {0x6cee88ba47eb9c17, 0xb84127e7c64b3b49},

@@ -12,7 +12,7 @@ namespace {
 void turn_exactly_over_step(const World& world, Body& body, Vec3 kicked, Real h, int substeps)
 {
     const Vec3 fall = weight_field(world, body);
-    store(body.avel, kicked_spin(body, body.rotation(), load(body.tacc), body.angular_velocity(), h));
+    store(body.avel, kicked_spin(body, load(body.tacc), body.angular_velocity(), h));
     store(body.lvel, kicked + (Real(0.5) * h * (1 + Real(1) / Real(substeps))) * fall);
     advance_pose_exactly(body, h, true);
     store(body.lvel, kicked + h * fall);
@@ -27,7 +27,7 @@ void turn_by_substeps(const World& world, Body& body, Vec3 kicked, Real h, int s
     Vec3 v = kicked, w = body.angular_velocity() + turned_by(load(body.tacc), h);
     for (int i = 0; i < substeps; ++i) {
         v += hs * weight_field(world, body);
-        w += turned_by(gyroscopic_torque(body, body.rotation(), w, hs), hs);
+        w += turned_by(gyroscopic_torque(body, w, hs), hs);
         store(body.lvel, v), store(body.avel, w);
         advance_pose(body, hs);
         w = body.angular_velocity();  // limited by the body's maximum

@@ -105,7 +105,7 @@ void SubstepModel::in_groups(F&& f) const
 // not show of it becomes velocity.
 bool SubstepModel::begin_exact_turn(Body& body, SolverBody& solver, bool raised) const
 {
-    if (body.kinematic() || is_unattached(body)) return false;
+    if (!world_.exact_rotation || body.kinematic() || is_unattached(body)) return false;
     if (!raised && turns_exactly(world_, body, info_.h)) return true;
     solver.w += release_excess(body);
     return false;
@@ -152,7 +152,8 @@ void SubstepModel::advance(std::span<Velocity> motion, std::span<const Velocity>
     in_groups([&](BodyLanes* groups, int first, int count) {
         kernels_.turn(groups, count, motion.data() + first, h);
         for (int i = 0; i < count; i += kLanes)
-            turn_few(std::size_t((first + i) / kLanes), motion.data(), bodies.data(), h);
+            if (groups[i / kLanes].finite | groups[i / kLanes].exact)
+                turn_few(std::size_t((first + i) / kLanes), motion.data(), bodies.data(), h);
         kernels_.place(groups, count, poses.empty() ? nullptr : poses.data() + first);
     });
 }
@@ -167,6 +168,7 @@ void SubstepModel::for_bits(std::size_t group, unsigned char bits, F&& f) const
 
 void SubstepModel::kick_spins(std::span<Velocity> bodies, Real h) const
 {
+    if (!world_.exact_rotation) return;
     in_groups([&](BodyLanes* groups, int first, int count) {
         for (int i = 0; i < count; i += kLanes) {
             const BodyLanes& lanes = groups[i / kLanes];

@@ -3,7 +3,9 @@
 #include "step/island/warm_start.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "step/island/fitting_start.h"
 #include "step/island/problem/joint_memory.h"
 #include "step/island/problem/manifold_rows.h"
 
@@ -77,6 +79,40 @@ void remember_contacts(const IslandRun& run, Real times, const Blows& blows)
         if (system.blocks[k].contact && !blows.struck(system, k)) remember_contact_rows(run, k, times);
 }
 
+constexpr Real kTurn = Real(0.15);  // rad in a step
+constexpr Real kJerk = 1;           // m/s of a body by an impulse
+
+// Does an impulse of a joint jerk a body, as it would if nothing balanced it?
+bool jerks(const RowSystem& system, const RowBlock& block)
+{
+    if (block.contact || block.term_count > 0) return false;
+    const auto of_mass = [&](int body) {
+        return body < 0 ? Real(0) : system.bodies[std::size_t(body)].inv_mass;
+    };
+    const Real inv_mass = std::max(of_mass(block.body1), of_mass(block.body2));
+    const auto numbers = system.numbers.subspan(std::size_t(block.first), std::size_t(block.count));
+    return std::any_of(numbers.begin(), numbers.end(),
+                       [&](const RowNumbers& n) { return std::fabs(n.p) * inv_mass > kJerk; });
+}
+
+// The last step ended with D <= 0 (fitting_start.h). The same impulses may begin with more where arms have turned, the step has another size,
+// or impulses hold each other that are large for what they act on.
+bool may_not_fit(const IslandRun& run)
+{
+    const RowSystem& system = run.work.system;
+    const auto turns = [h = system.h](const Body* body) {
+        return length2(body->angular_velocity()) * (h * h) > kTurn * kTurn;
+    };
+    const auto was_other = [h = system.h](const Joint* joint) {
+        return !is_contact(*joint) && step_ratio(lasting(*joint), h) != 1;
+    };
+    const auto jerked = [&](const RowBlock& block) { return jerks(system, block); };
+    const Island& island = run.work.island;
+    return std::any_of(island.bodies.begin(), island.bodies.end(), turns) ||
+           std::any_of(run.work.joints.begin(), run.work.joints.end(), was_other) ||
+           std::any_of(system.blocks.begin(), system.blocks.end(), jerked);
+}
+
 }  // namespace
 
 void load_warm_start(IslandRun& run, const WarmStart& how)
@@ -93,6 +129,13 @@ void load_warm_start(IslandRun& run, const WarmStart& how)
             load_memory(lasting(*run.work.joints[k]), system.blocks[k], system, wanted, how.share,
                         how.substeps);
     }
+}
+
+void load_fitting_start(IslandRun& run, const WarmStart& how)
+{
+    load_warm_start(run, how);
+    if (has_lasting_joints(run.work.island) && !run.world.acts_as_ode() && may_not_fit(run))
+        fit_start(run.work.system, run.work.island.bodies, how.substeps, run.arena);
 }
 
 void keep_impulses(IslandRun& run, const WarmStart& how, const Blows& blows)

@@ -19,6 +19,9 @@ struct WarmStart {
 };
 
 void load_warm_start(IslandRun& run, const WarmStart& how);
+// For sweeps, which end before they have converged: a share of it where all of it makes energy (fitting_start.h). Contacts alone
+// have arms that are too short for that.
+void load_fitting_start(IslandRun& run, const WarmStart& how);
 // `blows`: contacts whose impulses do not count.
 void keep_impulses(IslandRun& run, const WarmStart& how, const Blows& blows = {});
 

@@ -30,7 +30,7 @@ Outcome step_by_sweeps(IslandRun& run, const ProblemForm& form, const WarmStart&
     if (!run.begin(form, run.context.h)) return Outcome::kNoMemory;
     if (!run.raise_inertias(work.system.h, kResolvedBySweeps)) return Outcome::kNoMemory;
     const bool closes_stops = leave_stops_to_poses(run.world, work.system);
-    load_warm_start(run, start);
+    load_fitting_start(run, start);
     const SweepSettings settings{.iterations = run.settling_iterations(settling),
                                  .w = run.world.quick_w,
                                  .seed = run.seed(),

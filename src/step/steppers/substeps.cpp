@@ -40,7 +40,7 @@ class SubstepRun {
     Outcome step()
     {
         if (!begin()) return Outcome::kNoMemory;
-        load_warm_start(run_, warm_start());
+        load_fitting_start(run_, warm_start());
         std::span<const BorneForce> borne;
         if (n_ > 1)
             borne = kick_by_prompt_forces(run_.world, run_.work, run_.context.h,

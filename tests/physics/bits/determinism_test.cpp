@@ -24,7 +24,7 @@ std::uint64_t run(Scene scene, Stepper stepper, std::uint32_t seed = 1)
 
 // Rows: pile, machine, wall; columns: exact, quick, fast.
 constexpr std::uint64_t kGolden[3][3] = {{0x4e1326d9937ee89cu, 0x1c09342e6eef9583u, 0xd8ffa4416c3ba914u},
-                                         {0x1609d734c375797fu, 0x414370427e1301d4u, 0x60e02acbf68713c5u},
+                                         {0x1609d734c375797fu, 0x08dede3ee627acd4u, 0xb6e656e1606c7d07u},
                                          {0xc3b699b68cd79821u, 0xe9dfbc0291b695f9u, 0xb7f82283a284fb36u}};
 
 TEST(Determinism, gives_the_same_bits_on_every_compiler)

@@ -20,6 +20,7 @@ namespace {
 
 constexpr dReal kStep = dReal(0.0166);
 const char* const kChain = EPODE_PHYSICS "/trust/jammed_chain.epw";
+const char* const kThrown = EPODE_PHYSICS "/trust/thrown_levers.epw";
 
 dWorldID load(const char* file = kChain)
 {
@@ -42,6 +43,7 @@ void expect_no_energy_from_nothing(Step&& step, double limit)
             report.struct_size = sizeof report;
             ASSERT_TRUE(dWorldGetStepReport(world, &report));
             EXPECT_EQ(report.contained_islands, 0);
+            EXPECT_EQ(report.fallbacks, 0) << "solved twice: it began with impulses that make energy";
             if (i == 0) before = report.energy_before;
             largest = std::max(largest, report.energy_after);
         }
@@ -80,7 +82,7 @@ TEST(TrustDivergence, quick_steps_make_no_more_than_they_are_believed)
 TEST(TrustDivergence, is_reported_and_no_other_island_changes)
 {
     const auto neighbour = [](bool alone) {
-        const dWorldID world = alone ? dWorldCreate() : load();
+        const dWorldID world = alone ? dWorldCreate() : load(kThrown);
         dWorldSetStepReportMode(world, 1);
         dWorldSetGravity(world, 0, 0, dReal(-9.81));
         dBodyID bodies[2];
@@ -90,7 +92,7 @@ TEST(TrustDivergence, is_reported_and_no_other_island_changes)
         const dJointID ball = dJointCreateBall(world, nullptr);
         dJointAttach(ball, bodies[0], bodies[1]);
         dJointSetBallAnchor(ball, dReal(100.3), 0, dReal(0.2));
-        dWorldStepFast1(world, kStep, 4);
+        dWorldStepFast1(world, dReal(0.05), 50);
         dWorldStepReport sum{};
         sum.struct_size = sizeof sum;
         EXPECT_TRUE(dWorldGetStepReport(world, &sum));
@@ -125,14 +127,11 @@ void expect_small_gains(const char* file, double limit)
         }
 }
 
-TEST(TrustDivergence, what_sweeps_have_made_does_not_vouch_for_itself)
-{
-    expect_small_gains(EPODE_PHYSICS "/trust/jammed_levers.epw", 1000);
-}
+TEST(TrustDivergence, what_sweeps_have_made_does_not_vouch_for_itself) { expect_small_gains(EPODE_PHYSICS "/trust/jammed_levers.epw", 1000); }
 
 TEST(TrustDivergence, corrections_near_a_dead_centre_throw_nothing)
 {
-    expect_small_gains(EPODE_PHYSICS "/trust/thrown_levers.epw", 5000);
+    expect_small_gains(kThrown, 5000);
 }
 
 }  // namespace

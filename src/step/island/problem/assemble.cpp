@@ -234,7 +234,7 @@ void load_velocity(const Body& body, SolverBody& out)
 void load_pushed(Body& body, Real h, SolverBody& out)
 {
     const Vec3 w = body.angular_velocity() + release_excess(body);
-    const Vec3 torque = load(body.tacc) + gyroscopic_torque(body, body.rotation(), w, h);
+    const Vec3 torque = load(body.tacc) + gyroscopic_torque(body, w, h);
     out.v = body.velocity() + (h * out.inv_mass) * load(body.facc);
     out.w = w + h * (out.inv_inertia * torque);
 }
@@ -242,7 +242,7 @@ void load_pushed(Body& body, Real h, SolverBody& out)
 void load_pushed_exactly(Body& body, Real h, SolverBody& out)
 {
     out.v = body.velocity() + (h * out.inv_mass) * load(body.facc);
-    out.w = kicked_spin(body, body.rotation(), load(body.tacc), body.angular_velocity(), h);
+    out.w = kicked_spin(body, load(body.tacc), body.angular_velocity(), h);
 }
 
 void load_all_pushed(const World& world, Real h, IslandWork& work)
