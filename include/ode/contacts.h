@@ -80,6 +80,7 @@ typedef struct dMaterial {
     int priority; /**< the geom of the larger one says friction, bounce and rolling friction alone. 0 */
     dReal cross_friction;   /**< coefficient across friction_axis, where that is not 0. 0.6 */
     dVector3 friction_axis; /**< in the geom's frame: friction counts along it; 0: in all directions. 0 */
+    int kind; /**< 1 ... 255: the other geom's material of that number counts alone, if it has one. 0 */
 } dMaterial;
 
 /** Fills *material with the default of every field, and writes struct_size, which is sizeof(dMaterial), to
@@ -91,18 +92,19 @@ ODE_API int dMaterialInit(dMaterial* material, unsigned struct_size);
     defaults. Refused: a structure smaller than one that has friction alone, or larger than this library's.
     - dGeomSetMaterial: Give the geom a copy of *material from the next step on; 0: the default again.
       Returns 1. Refused: coefficients below 0; a bounce above 1; infinite rolling friction, compliance or
-      damping time; unknown rules; a priority beyond a million.
+      damping time; unknown rules; a priority beyond a million; a kind outside 0 ... 255.
     - dGeomGetMaterial: Copy the geom's material to *material, the default if it has none. Returns 1.
       [ours] */
 ODE_API int dGeomSetMaterial(dGeomID geom, const dMaterial* material);
 ODE_API int dGeomGetMaterial(dGeomID geom, dMaterial* material);
 
-/** Materials of the faces of a geom: the triangles of a mesh, in their order, or the cells of a height
-    field, cell (i, j) by i + j (samples along the first axis - 1). World-managed contacts take the material
-    of the face that is nearest to the contact. Clones and files of worlds have them.
+/** Materials by number. Those of the faces of a geom: the triangles of a mesh, in their order, or the cells of a
+    height field, cell (i, j) by i + j (samples along the first axis - 1); world-managed contacts take the
+    material of the face that is nearest to the contact. Of any geom, those of pairs: against a geom whose
+    material has that number as its kind, the numbered one alone says friction, bounce, rolling friction and
+    compliance. Clones and files of worlds have them.
     - dGeomSetFaceMaterial: Give the geom a copy of *material as its material of that number (1 ... 255), from
-      the next step on; 0 removes it. Returns 1. Refused: another class of geom; another number; what
-      dGeomSetMaterial refuses.
+      the next step on; 0 removes it. Returns 1. Refused: another number; what dGeomSetMaterial refuses.
     - dGeomGetFaceMaterial: Copy that material, or the default material if there is none, to *material.
       Returns 1.
     - dGeomSetFaceMaterialNumbers: Take from numbers which material each of count faces has: with 0 or

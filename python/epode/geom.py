@@ -104,6 +104,13 @@ class Geom(Object):
             c.dGeomSetFaceMaterial(self._handle, number, None if material is None else material._to_c())
         c.dGeomSetFaceMaterialNumbers(self._handle, np.asarray(numbers, np.uint8).ravel())
 
+    def set_pair_material(self, kind: int, material: Material | None) -> None:
+        """Against geoms whose material is of that kind (1 to 255) this material alone says friction, bounce, rolling friction and
+        compliance; None: no longer. Of a mesh with ``set_face_materials`` it is the material of the faces of that number, too."""
+        if material is not None and not isinstance(material, Material):
+            raise TypeError(f"a Material, such as epode.Material(friction=0.5), is expected, not {material!r}")
+        c.dGeomSetFaceMaterial(self._handle, kind, None if material is None else material._to_c())
+
     @property
     def face_numbers(self) -> NDArray[np.uint8]:
         """The numbers that ``set_face_materials`` has given to the faces; empty: all have the geom's own material."""

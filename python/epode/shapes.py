@@ -238,7 +238,8 @@ class HeightField(Shape):
 class Material:
     """The surface of a geom. friction: Coulomb's coefficient; bounce: restitution, 0 to 1; compliance: m/N. The rules say how
     the coefficients of a pair follow from those of its two geoms; of two priorities the larger one's geom alone says them.
-    friction_axis: in the geom's frame; friction counts along it, cross_friction across it (an ellipse); 0: in all directions."""
+    friction_axis: in the geom's frame; friction counts along it, cross_friction across it (an ellipse); 0: in all directions.
+    kind: 1 to 255; the other geom's pair material of that number (``geom.set_pair_material``) counts alone, if it has one."""
     friction: float = 0.6
     bounce: float = 0.0
     bounce_speed: float = 1.0
@@ -252,6 +253,7 @@ class Material:
     priority: int = 0
     cross_friction: float = 0.6
     friction_axis: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    kind: int = 0
 
     def _to_c(self) -> c.dMaterial:
         material = c.dMaterial()

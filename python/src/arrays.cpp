@@ -110,7 +110,7 @@ nb::object material_type()
          FIELD(M, surface_velocity, "3f8"), FIELD(M, rolling_friction, "f8"), FIELD(M, compliance, "f8"),
          FIELD(M, damping_time, "f8"), FIELD(M, friction_rule, "i4"), FIELD(M, bounce_rule, "i4"),
          FIELD(M, rolling_friction_rule, "i4"), FIELD(M, priority, "i4"), FIELD(M, cross_friction, "f8"),
-         FIELD(M, friction_axis, "3f8")},
+         FIELD(M, friction_axis, "3f8"), FIELD(M, kind, "i4")},
         sizeof(M));
 }
 

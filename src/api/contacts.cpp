@@ -104,7 +104,6 @@ int dMaterialInit(dMaterial* material, unsigned struct_size)
 int dGeomSetFaceMaterial(dGeomID g, int number, const dMaterial* material)
 {
     EPODE_GEOM(geom, g, 0);
-    EPODE_USER_SAY(has_faces(*geom), "argument not a mesh or a height field", 0);
     EPODE_USER(number >= 1 && number <= kMostFaceMaterials, 0);
     dMaterial whole = kDefaultMaterial;
     if (material) {
@@ -119,7 +118,6 @@ int dGeomSetFaceMaterial(dGeomID g, int number, const dMaterial* material)
 int dGeomGetFaceMaterial(dGeomID g, int number, dMaterial* material)
 {
     EPODE_GEOM(geom, g, 0);
-    EPODE_USER_SAY(has_faces(*geom), "argument not a mesh or a height field", 0);
     EPODE_USER(number >= 1 && number <= kMostFaceMaterials, 0);
     EPODE_SIZED(material, 0);
     copy_sized(face_material(*geom, number), material, material->struct_size);

@@ -156,7 +156,7 @@ bool same(const dMaterial& a, const dMaterial& b)
     const auto fields = [](const dMaterial& m) {
         return std::tie(m.friction, m.bounce, m.bounce_speed, m.rolling_friction, m.compliance,
                         m.damping_time, m.friction_rule, m.bounce_rule, m.rolling_friction_rule, m.priority,
-                        m.cross_friction);
+                        m.cross_friction, m.kind);
     };
     return fields(a) == fields(b) && load(a.surface_velocity) == load(b.surface_velocity) &&
            load(a.friction_axis) == load(b.friction_axis);
@@ -169,6 +169,7 @@ bool usable_material(const dMaterial& m)
     if (!usable_rule(m.friction_rule) || !usable_rule(m.bounce_rule) || !usable_rule(m.rolling_friction_rule))
         return false;
     if (m.priority < -kMostPriority || m.priority > kMostPriority) return false;
+    if (m.kind < 0 || m.kind > kMostFaceMaterials) return false;
     for (const Real x : {m.rolling_friction, m.compliance, m.damping_time})
         if (!(x >= 0) || !usable(x)) return false;
     return m.friction >= 0 && usable_or_infinite(m.friction) && m.cross_friction >= 0 &&
@@ -277,15 +278,53 @@ const dMaterial& material_at(const Geom& geom, Vec3 at, Vec3 n)
     return number > 0 ? own_material(geom)->faces->materials[number - 1] : material_of(geom);
 }
 
+namespace {
+
+void combine(const Geom& g1, const dMaterial& a, const Geom& g2, const dMaterial& b,
+             ContactManifold& manifold)
+{
+    combine_friction(a, b, manifold);
+    if (has_axis(a) || has_axis(b)) combine_axes(g1, a, g2, b, manifold);
+    combine_others(a, b, manifold);
+    manifold.restitution_threshold = float(std::max(a.bounce_speed, b.bounce_speed));
+}
+
+// The geom's material against the other one's kind; null: none of its own.
+const dMaterial* against(const Geom& geom, const dMaterial& other)
+{
+    return has_face_material(geom, other.kind) ? &face_material(geom, other.kind) : nullptr;
+}
+
+// Where both have one: of the larger priority, of the smaller friction where that is the same.
+bool first_counts(const dMaterial* one, const dMaterial* two)
+{
+    if (!one || !two) return one;
+    if (const dMaterial* const its = foremost(*one, *two)) return its == one;
+    return one->friction <= two->friction;
+}
+
+// False: neither has one against the other.
+bool combine_as_pair(const Geom& g1, const dMaterial& a, const Geom& g2, const dMaterial& b,
+                     ContactManifold& manifold)
+{
+    const dMaterial *const one = against(g1, b), *const two = against(g2, a);
+    if (!one && !two) return false;
+    const bool first = first_counts(one, two);
+    dMaterial alone = first ? *one : *two, none = kDefaultMaterial;
+    alone.priority = kMostPriority + 1, none.bounce_speed = 0;
+    first ? combine(g1, alone, g2, none, manifold) : combine(g1, none, g2, alone, manifold);
+    return true;
+}
+
+}  // namespace
+
 void combine_materials(const Geom& g1, const Geom& g2, Vec3 x1, ContactManifold& manifold)
 {
     if (!g1.material && !g2.material) return take_defaults(manifold);
     const Vec3 n = widen(manifold.normal), at = x1 + widen(manifold.points[0].r1);
     const dMaterial &a = material_at(g1, at, n), &b = material_at(g2, at, n);
-    combine_friction(a, b, manifold);
-    if (has_axis(a) || has_axis(b)) combine_axes(g1, a, g2, b, manifold);
-    combine_others(a, b, manifold);
-    manifold.restitution_threshold = float(std::max(a.bounce_speed, b.bounce_speed));
+    const bool may_be_pair = a.kind != 0 || b.kind != 0;
+    if (!may_be_pair || !combine_as_pair(g1, a, g2, b, manifold)) combine(g1, a, g2, b, manifold);
     // Surfaces do not slide against each other: v1 + s1 = v2 + s2.
     const Vec3 drift = surface_velocity(g2, b) - surface_velocity(g1, a);
     manifold.surface_velocity = narrow(drift - dot(n, drift) * n);

@@ -22,7 +22,7 @@ inline constexpr std::size_t kSmallestSize<dMaterial> = offsetof(dMaterial, boun
 
 inline constexpr dMaterial kDefaultMaterial{
     sizeof(dMaterial), Real(0.6),       0, 1,         {0, 0, 0, 0}, 0, 0, 0, dCombineDefault,
-    dCombineDefault,   dCombineDefault, 0, Real(0.6), {0, 0, 0, 0}};
+    dCombineDefault,   dCombineDefault, 0, Real(0.6), {0, 0, 0, 0}, 0};
 
 inline const dMaterial& material_of(const Geom& geom)
 {

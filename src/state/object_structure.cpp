@@ -74,8 +74,10 @@ void material(dMaterial& m, StructureStream& stream)
     stream.reals(m.surface_velocity, 3);
     for (Real* number : {&m.rolling_friction, &m.compliance, &m.damping_time}) stream.real(*number);
     int rule = m.friction_rule + kRules * m.priority;  // one number, as files of before priorities have it
-    for (int* number : {&rule, &m.bounce_rule, &m.rolling_friction_rule}) stream.number(*number);
+    int bounce = m.bounce_rule + kRules * m.kind;  // and the same of kinds
+    for (int* number : {&rule, &bounce, &m.rolling_friction_rule}) stream.number(*number);
     m.friction_rule = rule & (kRules - 1), m.priority = (rule - m.friction_rule) / kRules;
+    m.bounce_rule = bounce & (kRules - 1), m.kind = (bounce - m.bounce_rule) / kRules;
     if (!stream.is_older_than(6)) stream.real(m.cross_friction, kInfinite), stream.reals(m.friction_axis, 3);
     stream.demand(usable_material(m), kMaterial);
 }

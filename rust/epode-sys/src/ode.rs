@@ -1068,6 +1068,8 @@ pub struct dMaterial {
     pub cross_friction: dReal,
     /// in the geom's frame: friction counts along it; 0: in all directions. 0
     pub friction_axis: dVector3,
+    /// 1 ... 255: the other geom's material of that number counts alone, if it has one. 0
+    pub kind: c_int,
 }
 /// One contact manifold for the coming step: points of two geoms with one normal. A function of the program
 /// changes what begins with accept, for this step alone; the rest is for it to read. What it sets to numbers
@@ -2556,7 +2558,7 @@ extern "C" {
     pub fn dMaterialInit(material: *mut dMaterial, struct_size: c_uint) -> c_int;
     /// Give the geom a copy of \*material from the next step on; 0: the default again.
     /// Returns 1. Refused: coefficients below 0; a bounce above 1; infinite rolling friction, compliance or
-    /// damping time; unknown rules; a priority beyond a million.
+    /// damping time; unknown rules; a priority beyond a million; a kind outside 0 ... 255.
     ///
     /// A program whose dMaterial has fewer fields than the library's keeps working: the others have their
     /// defaults. Refused: a structure smaller than one that has friction alone, or larger than this library's.
@@ -2567,33 +2569,40 @@ extern "C" {
     /// defaults. Refused: a structure smaller than one that has friction alone, or larger than this library's.
     pub fn dGeomGetMaterial(geom: dGeomID, material: *mut dMaterial) -> c_int;
     /// Give the geom a copy of \*material as its material of that number (1 ... 255), from
-    /// the next step on; 0 removes it. Returns 1. Refused: another class of geom; another number; what
-    /// dGeomSetMaterial refuses.
+    /// the next step on; 0 removes it. Returns 1. Refused: another number; what dGeomSetMaterial refuses.
     ///
-    /// Materials of the faces of a geom: the triangles of a mesh, in their order, or the cells of a height
-    /// field, cell (i, j) by i + j (samples along the first axis - 1). World-managed contacts take the material
-    /// of the face that is nearest to the contact. Clones and files of worlds have them.
+    /// Materials by number. Those of the faces of a geom: the triangles of a mesh, in their order, or the cells of a
+    /// height field, cell (i, j) by i + j (samples along the first axis - 1); world-managed contacts take the
+    /// material of the face that is nearest to the contact. Of any geom, those of pairs: against a geom whose
+    /// material has that number as its kind, the numbered one alone says friction, bounce, rolling friction and
+    /// compliance. Clones and files of worlds have them.
     pub fn dGeomSetFaceMaterial(geom: dGeomID, number: c_int, material: *const dMaterial) -> c_int;
     /// Copy that material, or the default material if there is none, to \*material.
     /// Returns 1.
     ///
-    /// Materials of the faces of a geom: the triangles of a mesh, in their order, or the cells of a height
-    /// field, cell (i, j) by i + j (samples along the first axis - 1). World-managed contacts take the material
-    /// of the face that is nearest to the contact. Clones and files of worlds have them.
+    /// Materials by number. Those of the faces of a geom: the triangles of a mesh, in their order, or the cells of a
+    /// height field, cell (i, j) by i + j (samples along the first axis - 1); world-managed contacts take the
+    /// material of the face that is nearest to the contact. Of any geom, those of pairs: against a geom whose
+    /// material has that number as its kind, the numbered one alone says friction, bounce, rolling friction and
+    /// compliance. Clones and files of worlds have them.
     pub fn dGeomGetFaceMaterial(geom: dGeomID, number: c_int, material: *mut dMaterial) -> c_int;
     /// Take from numbers which material each of count faces has: with 0 or
     /// one without a material it has the geom's own. Count 0: all have. Returns 1. Refused:
     /// another class of geom; a count that is not 0 and not that of the faces.
     ///
-    /// Materials of the faces of a geom: the triangles of a mesh, in their order, or the cells of a height
-    /// field, cell (i, j) by i + j (samples along the first axis - 1). World-managed contacts take the material
-    /// of the face that is nearest to the contact. Clones and files of worlds have them.
+    /// Materials by number. Those of the faces of a geom: the triangles of a mesh, in their order, or the cells of a
+    /// height field, cell (i, j) by i + j (samples along the first axis - 1); world-managed contacts take the
+    /// material of the face that is nearest to the contact. Of any geom, those of pairs: against a geom whose
+    /// material has that number as its kind, the numbered one alone says friction, bounce, rolling friction and
+    /// compliance. Clones and files of worlds have them.
     pub fn dGeomSetFaceMaterialNumbers(geom: dGeomID, numbers: *const c_uchar, count: c_int) -> c_int;
     /// Copy them, at most capacity, to numbers. Returns how many there are.
     ///
-    /// Materials of the faces of a geom: the triangles of a mesh, in their order, or the cells of a height
-    /// field, cell (i, j) by i + j (samples along the first axis - 1). World-managed contacts take the material
-    /// of the face that is nearest to the contact. Clones and files of worlds have them.
+    /// Materials by number. Those of the faces of a geom: the triangles of a mesh, in their order, or the cells of a
+    /// height field, cell (i, j) by i + j (samples along the first axis - 1); world-managed contacts take the
+    /// material of the face that is nearest to the contact. Of any geom, those of pairs: against a geom whose
+    /// material has that number as its kind, the numbered one alone says friction, bounce, rolling friction and
+    /// compliance. Clones and files of worlds have them.
     pub fn dGeomGetFaceMaterialNumbers(geom: dGeomID, numbers: *mut c_uchar, capacity: c_int) -> c_int;
     /// Sets a function that rejects pairs, called with the given data; filter 0: none. The thread that steps
     /// calls it, in the order of the pairs. It must not change the space or the world.

@@ -104,6 +104,34 @@ TEST_P(FaceMaterials, a_block_on_a_field_has_the_friction_of_the_cell_below)
     }
 }
 
+// A sphere geom's material is of kind 3, and the plane has one against it; the other block is of no kind.
+TEST_P(FaceMaterials, of_a_pair_count_alone_whatever_the_two_have_and_against_nothing_else)
+{
+    WorldContactsSim sim(GetParam());
+    const dGeomID plane = dCreatePlane(sim.space, 0, 0, 1, 0);
+    const dMaterial rough = material_with(kAsphalt), ice = material_with(kIce);
+    dGeomSetMaterial(plane, &rough);
+    ASSERT_EQ(dGeomSetFaceMaterial(plane, 3, &ice), 1);
+    dBodyID blocks[3];
+    for (int i = 0; i < 3; ++i) {
+        blocks[i] = sim.box({0, 2.0 * i, 0.1}, {0.4, 0.4, 0.2}, 2);
+        dMaterial own = material_with(kAsphalt);
+        own.kind = i == 0 ? 3 : i == 1 ? 4 : 0;
+        own.priority = 5;
+        ASSERT_EQ(dGeomSetMaterial(dBodyGetFirstGeom(blocks[i]), &own), 1);
+    }
+    sim.run(30);
+    for (dBodyID block : blocks) velocity(block, {4, 0, 0});
+    sim.run(30);
+    for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(vec(dBodyGetLinearVel(blocks[i])).x, 4 - (i == 0 ? kIce : kAsphalt) * kGravity * 30 * kH,
+                    0.02)
+            << i;
+    dMaterial wrong = rough;
+    wrong.kind = 256;
+    EXPECT_EQ(dGeomSetMaterial(plane, &wrong), 0);
+}
+
 TEST_P(FaceMaterials, a_file_keeps_them_and_goes_on_with_the_same_bits)
 {
     WorldContactsSim sim(GetParam());
@@ -150,7 +178,7 @@ TEST(face_materials, refuses_what_is_no_surface_no_number_and_no_count_and_chang
     bad.cross_friction = -1;
     const unsigned char numbers[4] = {};
     dSetMessageHandler([](int, const char*, va_list) {});
-    EXPECT_EQ(dGeomSetFaceMaterial(ball, 1, &good), 0);
+    EXPECT_EQ(dGeomSetFaceMaterialNumbers(ball, numbers, 1), 0);
     EXPECT_EQ(dGeomSetFaceMaterial(mesh, 0, &good), 0);
     EXPECT_EQ(dGeomSetFaceMaterial(mesh, 256, &good), 0);
     EXPECT_EQ(dGeomSetFaceMaterial(mesh, 1, &bad), 0);

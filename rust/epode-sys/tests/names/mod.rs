@@ -67,7 +67,7 @@ macro_rules! ode_structures {
         dCastHit { geom pos normal distance side face_normal depth }
         dCharacterSettings { struct_size shape radius height up gravity skin slope_limit step_height stick_distance mass max_force air_acceleration filter data }
         dCharacterReport { struct_size state velocity ground ground_side ground_pos ground_normal ground_velocity turn climbed hit_wall hit_ceiling overlap }
-        dMaterial { struct_size friction bounce bounce_speed surface_velocity rolling_friction compliance damping_time friction_rule bounce_rule rolling_friction_rule priority cross_friction friction_axis }
+        dMaterial { struct_size friction bounce bounce_speed surface_velocity rolling_friction compliance damping_time friction_rule bounce_rule rolling_friction_rule priority cross_friction friction_axis kind }
         dManifold { struct_size g1 g2 touched count pos depth normal velocity accept friction bounce bounce_speed rolling_friction compliance damping_time surface_velocity cross_friction friction_axis max_impulse }
         dContactEvent { kind g1 g2 }
         dWorldContact { g1 g2 pos normal depth normal_force friction_force }

@@ -311,9 +311,11 @@ impl Geom<'_> {
     /// Copy that material, or the default material if there is none, to \*material.
     /// Returns 1.
     ///
-    /// Materials of the faces of a geom: the triangles of a mesh, in their order, or the cells of a height
-    /// field, cell (i, j) by i + j (samples along the first axis - 1). World-managed contacts take the material
-    /// of the face that is nearest to the contact. Clones and files of worlds have them.
+    /// Materials by number. Those of the faces of a geom: the triangles of a mesh, in their order, or the cells of a
+    /// height field, cell (i, j) by i + j (samples along the first axis - 1); world-managed contacts take the
+    /// material of the face that is nearest to the contact. Of any geom, those of pairs: against a geom whose
+    /// material has that number as its kind, the numbered one alone says friction, bounce, rolling friction and
+    /// compliance. Clones and files of worlds have them.
     ///
     /// C: `dGeomGetFaceMaterial`.
     pub fn face_material(&self, number: i32) -> Result<Material> {
@@ -626,7 +628,7 @@ impl GeomMut<'_> {
 
     /// Give the geom a copy of \*material from the next step on; 0: the default again.
     /// Returns 1. Refused: coefficients below 0; a bounce above 1; infinite rolling friction, compliance or
-    /// damping time; unknown rules; a priority beyond a million.
+    /// damping time; unknown rules; a priority beyond a million; a kind outside 0 ... 255.
     ///
     /// A program whose dMaterial has fewer fields than the library's keeps working: the others have their
     /// defaults. Refused: a structure smaller than one that has friction alone, or larger than this library's.
@@ -638,12 +640,13 @@ impl GeomMut<'_> {
     }
 
     /// Give the geom a copy of \*material as its material of that number (1 ... 255), from
-    /// the next step on; 0 removes it. Returns 1. Refused: another class of geom; another number; what
-    /// dGeomSetMaterial refuses.
+    /// the next step on; 0 removes it. Returns 1. Refused: another number; what dGeomSetMaterial refuses.
     ///
-    /// Materials of the faces of a geom: the triangles of a mesh, in their order, or the cells of a height
-    /// field, cell (i, j) by i + j (samples along the first axis - 1). World-managed contacts take the material
-    /// of the face that is nearest to the contact. Clones and files of worlds have them.
+    /// Materials by number. Those of the faces of a geom: the triangles of a mesh, in their order, or the cells of a
+    /// height field, cell (i, j) by i + j (samples along the first axis - 1); world-managed contacts take the
+    /// material of the face that is nearest to the contact. Of any geom, those of pairs: against a geom whose
+    /// material has that number as its kind, the numbered one alone says friction, bounce, rolling friction and
+    /// compliance. Clones and files of worlds have them.
     ///
     /// C: `dGeomSetFaceMaterial`.
     pub fn set_face_material(&mut self, number: i32, material: Option<&Material>) -> Result<()> {

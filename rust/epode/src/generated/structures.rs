@@ -42,6 +42,8 @@ pub struct Material {
     pub cross_friction: Real,
     /// in the geom's frame: friction counts along it; 0: in all directions. 0
     pub friction_axis: Vec3,
+    /// 1 ... 255: the other geom's material of that number counts alone, if it has one. 0
+    pub kind: i32,
 }
 #[allow(unused_variables)]
 impl Material {
@@ -67,6 +69,7 @@ impl Material {
             priority: raw.priority,
             cross_friction: raw.cross_friction,
             friction_axis: vec3(raw.friction_axis),
+            kind: raw.kind,
         }
     }
     pub(crate) fn to_raw(&self) -> sys::dMaterial {
@@ -84,6 +87,7 @@ impl Material {
         raw.priority = self.priority;
         raw.cross_friction = self.cross_friction;
         raw.friction_axis = pad3(self.friction_axis);
+        raw.kind = self.kind;
         raw
     }
 }
