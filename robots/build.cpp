@@ -33,6 +33,13 @@ void set_mass(dBodyID body, double mass, const Matrix& i)
     dBodySetMass(body, &its);
 }
 
+void set_spring(dMaterial& material, const Spring& spring)
+{
+    if (!(spring.stiffness > 0)) return;
+    material.compliance = dReal(1 / spring.stiffness);
+    material.damping_time = dReal(spring.damping / spring.stiffness);
+}
+
 void set_touch(dGeomID geom, const Shape& shape, const Spring& spring, bool largest_friction)
 {
     dGeomSetCategoryBits(geom, shape.category);
@@ -41,13 +48,20 @@ void set_touch(dGeomID geom, const Shape& shape, const Spring& spring, bool larg
     dMaterialInit(&material, sizeof material);
     material.friction = dReal(shape.friction);
     material.rolling_friction = dReal(shape.dimensions >= 6 ? shape.rolling_friction : 0);
-    if (spring.stiffness > 0) {
-        material.compliance = dReal(1 / spring.stiffness);
-        material.damping_time = dReal(spring.damping / spring.stiffness);
-    }
+    set_spring(material, spring);
     if (largest_friction) material.friction_rule = dCombineMaximum;
     material.priority = shape.priority;
     dGeomSetMaterial(geom, &material);
+}
+
+dMaterial material_of(const ShapePair& pair, const Spring& spring)
+{
+    dMaterial material;
+    dMaterialInit(&material, sizeof material);
+    material.friction = dReal(pair.friction);
+    material.rolling_friction = dReal(pair.dimensions >= 6 ? pair.rolling_friction : 0);
+    set_spring(material, spring);
+    return material;
 }
 
 // Of a shape's frame the geom's: ODE's height fields have y up, and z towards the shape's -y.
@@ -80,7 +94,8 @@ Robot::Robot(std::shared_ptr<const Prepared> prepared, dWorldID world, dSpaceID 
       activations_(model().actuators.size(), 0),
       inputs_(model().actuators.size(), 0),
       pulls_(model().actuators.size(), 0),
-      servos_(model().joints.size())
+      servos_(model().joints.size()),
+      pasts_(model().tendons.size())
 {
     try {
         make(world, space);
@@ -353,6 +368,27 @@ void Robot::add_geom(dGeomID geom, int number, const Shape& shape)
         dGeomSetQuaternion(geom, q);
     }
     set_touch(geom, shape, prepared_->springs().of_shape(number, shape), model().largest_friction);
+    set_pairs(geom, shape);
+}
+
+void Robot::set_pairs(dGeomID geom, const Shape& shape) const
+{
+    const PairRules* const rules = prepared_->pairs().of(shape);
+    if (!rules) return;
+    dGeomSetCategoryBits(geom, shape.category | rules->category);
+    dGeomSetCollideBits(geom, shape.collide | rules->collide);
+    dMaterial own;
+    dMaterialInit(&own, sizeof own);
+    dGeomGetMaterial(geom, &own);
+    own.kind = rules->kind;
+    dGeomSetMaterial(geom, &own);
+    for (const auto& [number, pair] : rules->materials) {
+        const ShapePair& its = model().pairs[size_t(pair)];
+        int one = 0, two = 0;
+        shape_named(model(), its.shape1, one), shape_named(model(), its.shape2, two);
+        const dMaterial material = material_of(its, prepared_->springs().of_pair(one, two, its.softness));
+        dGeomSetFaceMaterial(geom, number, &material);
+    }
 }
 
 void Robot::add_looks(dSpaceID space)
@@ -388,7 +424,8 @@ Robot::Robot(const Robot& like, int)
       inputs_(like.inputs_),
       filters_act_(like.filters_act_),
       pulls_(like.pulls_),
-      servos_(like.servos_)
+      servos_(like.servos_),
+      pasts_(like.pasts_)
 {}
 
 std::unique_ptr<Robot> Robot::counterpart(const std::vector<dBodyID>& bodies,

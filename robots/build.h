@@ -7,12 +7,14 @@
 // position plus the reference. Where several joints act between two links, small bodies stand between them.
 #pragma once
 
+#include <ode/ext.h>
 #include <ode/ode.h>
 
 #include <memory>
 
 #include "robots/kinematics.h"
 #include "robots/model.h"
+#include "robots/pairs.h"
 #include "robots/parts/decompose.h"
 #include "robots/softness.h"
 #include "robots/tendon.h"
@@ -41,6 +43,7 @@ class Prepared {
     dHeightfieldDataID heights(int field) const { return heights_[size_t(field)]; }
     dTriMeshDataID triangles(int mesh) const { return triangles_[size_t(mesh)]; }
     const Springs& springs() const { return springs_; }
+    const PairPlan& pairs() const { return pairs_; }
     // Of tendons the lengths between which their springs rest.
     const std::vector<std::array<double, 2>>& rests() const { return rests_; }
     const std::vector<std::array<int, 2>>& overlapping() const { return overlapping_; }
@@ -54,6 +57,7 @@ class Prepared {
 
     RobotModel model_;
     Springs springs_;
+    PairPlan pairs_;
     std::vector<std::array<double, 2>> rests_;
     std::vector<std::vector<Hull>> hulls_;
     std::vector<Fit> fits_;
@@ -79,6 +83,8 @@ class Robot {
     Robot& operator=(const Robot&) = delete;
 
     const RobotModel& model() const { return prepared_->model(); }
+    // Of tendons the lengths between which their springs rest.
+    const std::vector<std::array<double, 2>>& rests() const { return prepared_->rests(); }
     // 0 of a world link that has no body.
     dBodyID body(int link) const { return bodies_[size_t(link)]; }
     // 0 of a free joint.
@@ -132,9 +138,13 @@ class Robot {
         double length, rate;
     };
     Stroke stroke(int actuator) const;
+    // Of a joint with one axis its coordinate, of a tendon its length.
+    Stroke joint_stroke(int joint) const;
+    Stroke tendon_stroke(int tendon) const;
     // Before its gear, at the present positions and velocities; and what all of them exert along a joint with one axis.
     double actuator_force(int actuator) const;
     double actuators_force(int joint) const;
+    double actuators_force_of_tendon(int tendon) const;
     // All that acts only from step to step: the medium, spatial tendons with their actuators (step_forces.cpp), and filters, which a
     // step of that size moves on. Returns how many boxes, tendons and filters there are.
     int add_forces(double stepsize);
@@ -156,6 +166,7 @@ class Robot {
     Pose frame_of(int link) const;
     void make_shape(dSpaceID space, int link, const Shape& shape);
     void add_geom(dGeomID geom, int link, const Shape& shape);
+    void set_pairs(dGeomID geom, const Shape& shape) const;
     void make_joints(dWorldID world);
     dJointID make_joint(dWorldID world, int number, dBodyID child, dBodyID parent, const Pose& frame);
     dBodyID make_small_body(dWorldID world, int link);
@@ -174,12 +185,22 @@ class Robot {
     int move_filters(double stepsize);
     bool moves_path(const Actuator& actuator) const;  // of a spatial tendon
     int add_tendon_forces(double stepsize);
+    // step_wrenches.cpp
+    void wake_pushed(const Actuator& actuator) const;
+    Stroke turn_stroke(const Actuator& actuator) const;
+    Stroke wrench_stroke(const SiteWrench& wrench) const;
+    double wrench_force(size_t actuator, double stepsize) const;
+    int add_wrenches(double stepsize);
+    int add_adhesion();
+    static void adhere(dBodyID body, double force, const std::vector<dWorldContact>& contacts);
     struct Pull;  // of a spatial tendon
     std::vector<Pull> pulls(double stepsize) const;
     double rate_of(const Path& path) const;
     double stiffness(int tendon) const;
     double damping(int tendon) const;
     double force(const Pull& pull, double stepsize) const;
+    bool has_past(int tendon) const;  // a spatial one with friction or armature
+    double drag(const Pull& pull, double stepsize);
     void set_limits_of(std::vector<Pull>& pulls, double stepsize) const;
     void act(const Path& path, double force) const;
     bool is_awake(const Tendon& tendon) const;
@@ -239,6 +260,12 @@ class Robot {
     bool filters_act_ = false;    // since add_forces or set_activation was called
     std::vector<double> pulls_;   // of muscles, what they exerted at the last call of add_forces
     std::vector<Servo> servos_;
+    struct Past {  // of a tendon, at the last call of add_forces
+        bool is_known = false;
+        double rate = 0, inertia = 0;  // and the force of its armature
+        double hold = 0;               // what its friction took to stop it
+    };
+    std::vector<Past> pasts_;  // of tendons
 };
 
 }  // namespace epode::robots

@@ -82,6 +82,7 @@ bool Robot::set_mocap(int link, const Pose& pose)
 void Robot::set_positions(const std::vector<double>& positions)
 {
     if (positions.size() != size_t(model().coordinates)) return;
+    pasts_.assign(pasts_.size(), {});
     const std::vector<Pose> poses = forward_kinematics(model(), positions);
     for (size_t i = 1; i < poses.size(); ++i)
         if (bodies_[i] && !model().links[i].is_mocap)
@@ -145,6 +146,7 @@ void Robot::set_velocity(dBodyID its, int number, const Motion& motion) const
 void Robot::set_velocities(const std::vector<double>& velocities)
 {
     if (velocities.size() != size_t(number_of_velocities(model()))) return;
+    for (Past& past : pasts_) past.is_known = false;
     const std::vector<double> q = positions();
     const Motion motion = motion_of(q, velocities);
     for (size_t i = 1; i < bodies_.size(); ++i)
@@ -248,7 +250,7 @@ void Robot::set_tendon_drive(int number)
     for (const Coupling::Term& term : tendon.terms)
         r += term.factor * model().joints[size_t(term.joint)].reference;
     set_drive({tendons_[size_t(number)], r, tendon.stiffness, prepared_->rests()[size_t(number)][0],
-               tendon.damping, 0, 0},
+               tendon.damping, tendon.armature, tendon.friction},
               {}, kInfinity, -1, number);
 }
 

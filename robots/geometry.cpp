@@ -141,6 +141,12 @@ Matrix operator+(const Matrix& a, const Matrix& b)
     return c;
 }
 
+Vec apply(const Matrix& m, Vec v)
+{
+    return {m[0][0] * v.x + m[0][1] * v.y + m[0][2] * v.z, m[1][0] * v.x + m[1][1] * v.y + m[1][2] * v.z,
+            m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z};
+}
+
 Matrix rotated(const Matrix& inertia, Quat q)
 {
     const Matrix r = matrix_of(q);

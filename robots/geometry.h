@@ -67,6 +67,7 @@ inline Pose operator*(const Pose& a, const Pose& b) { return {a * b.p, a.q * b.q
 inline Pose inverse(const Pose& a) { return {-rotate(conjugate(a.q), a.p), conjugate(a.q)}; }
 
 Matrix operator*(const Matrix& a, const Matrix& b);
+Vec apply(const Matrix& m, Vec v);
 Matrix transposed(const Matrix& a);
 Matrix operator+(const Matrix& a, const Matrix& b);
 // R I R^T.

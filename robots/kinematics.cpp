@@ -9,6 +9,8 @@
 // (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 5.)
 #include "robots/kinematics.h"
 
+#include "robots/tendon_armature.h"
+
 namespace epode::robots {
 
 namespace {
@@ -20,12 +22,6 @@ struct Twist {
 Twist operator+(Twist a, Twist b) { return {a.w + b.w, a.v + b.v}; }
 Twist operator*(double s, Twist a) { return {s * a.w, s * a.v}; }
 Twist cross(Twist a, Twist b) { return {cross(a.w, b.w), cross(a.w, b.v) + cross(a.v, b.w)}; }
-
-Vec apply(const Matrix& m, Vec v)
-{
-    return {m[0][0] * v.x + m[0][1] * v.y + m[0][2] * v.z, m[1][0] * v.x + m[1][1] * v.y + m[1][2] * v.z,
-            m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z};
-}
 
 // About an axis through a point.
 Twist about(Vec axis, Vec point) { return {axis, cross(point, axis)}; }
@@ -209,6 +205,7 @@ std::vector<double> inverse_dynamics(const RobotModel& model, const std::vector<
             }
         wrench[size_t(link.parent)] = wrench[size_t(link.parent)] + wrench[i];
     }
+    add_armature_forces(model, positions, velocities, accelerations, out);
     return out;
 }
 
@@ -232,6 +229,12 @@ void PointForces::add(int link, Vec point, Vec force)
 {
     Twist& its = tree_->wrenches[size_t(link)];
     its = its + Twist{cross(point, force), force};
+}
+
+void PointForces::add_torque(int link, Vec torque)
+{
+    Twist& its = tree_->wrenches[size_t(link)];
+    its = its + Twist{torque, {}};
 }
 
 std::vector<double> PointForces::along_velocities() const
@@ -317,6 +320,7 @@ std::vector<double> mass_matrix(const RobotModel& model, const std::vector<doubl
                 for (int other : model.links[size_t(link)].joints) fill(j, wrench, other);
             out[j * n + j] += joint.armature;
         }
+    add_armatures(model, positions, out);
     return out;
 }
 

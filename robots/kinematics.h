@@ -45,6 +45,7 @@ class PointForces {
     const std::vector<Pose>& poses() const;  // of all links
     void clear();
     void add(int link, Vec point, Vec force);
+    void add_torque(int link, Vec torque);
     std::vector<double> along_velocities() const;
 
   private:

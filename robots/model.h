@@ -66,6 +66,15 @@ struct Shape {
     float color[4] = {0.7f, 0.7f, 0.7f, 1};
 };
 
+// Two shapes, by their names, that touch whatever their bits say, and of whose contact this alone says all (MJCF's <pair>).
+struct ShapePair {
+    std::string name, shape1, shape2;
+    double friction = 1, torsional_friction = 0.005, rolling_friction = 0.0001;  // the latter two in m
+    int dimensions = 3;
+    Softness softness;
+    int line = 0;
+};
+
 // What of a link a medium resists: a link of the file, as the box that has its inertia. Half sides, in m, along the axes
 // of the pose, which stands in the link's frame.
 struct FluidBox {
@@ -174,7 +183,7 @@ struct Tendon {
     std::vector<Coupling::Term> terms;
     std::vector<PathPart> path;  // of a spatial one, which has no terms
     double low = -kInfinity, high = kInfinity;
-    double stiffness = 0, damping = 0;
+    double stiffness = 0, damping = 0, friction = 0, armature = 0;
     bool has_rest = false;           // else its spring rests at the reference position
     double rest = 0, rest_high = 0;  // a spatial one's anywhere between the two, a sum's at the first
     int line = 0;
@@ -199,6 +208,15 @@ struct Muscle {
     double length_low = 0, length_high = 0;  // m or rad, of joint or tendon times the gear
 };
 
+// Of an actuator that pushes a site: the gear as a force and a torque (robots/wrench.h).
+struct SiteWrench {
+    int link = -1;  // -1: none
+    Pose pose;      // of the site in its link
+    int reference_link = -1;
+    Pose reference;  // of the reference site in its
+    Vec force, torque;
+};
+
 // gain = gain + gain_position gear q + gain_velocity gear w; of a damper the last alone.
 // force = gear clamp(gain control + bias0 - bias_position gear q - bias_velocity gear w), clamped to the range of
 // forces: a motor has gain alone, a position servo gain = bias_position, a velocity servo gain = bias_velocity.
@@ -206,6 +224,8 @@ struct Actuator {
     std::string name, kind;
     int joint = -1, tendon = -1;
     Vec direction;  // of a ball's: the gear along the link's axes
+    SiteWrench wrench;
+    int adhesive_link = -1;  // that it pulls towards what it touches
     double gear = 1, gain = 1, bias = 0, bias_position = 0, bias_velocity = 0;
     double low = -kInfinity, high = kInfinity;              // of the control
     double force_low = -kInfinity, force_high = kInfinity;  // of the force before the gear
@@ -229,6 +249,8 @@ struct Frame {
     std::string name;
     int link = 0;
     Pose pose;
+    ShapeKind zone = ShapeKind::kSphere;  // of a site of MJCF, what its touch sensor feels (robots/zone.h)
+    Vec size{};  // of the zone, as a shape's; 0: it has none, and feels its whole link
 };
 
 // It looks along the -z axis of its frame, x to the right, y up.
@@ -267,6 +289,7 @@ struct RobotModel {
     std::vector<Frame> frames;
     std::vector<Camera> cameras;
     std::vector<std::array<int, 2>> excluded;  // pairs of links that do not touch
+    std::vector<ShapePair> pairs;
     // Bodies of the file that are fixed to the world and do not touch some link, and those pairs: link, and number from 1 on.
     std::vector<std::string> still;
     std::vector<std::array<int, 2>> excluded_still;
@@ -277,6 +300,7 @@ struct RobotModel {
     Vec gravity{0, 0, -9.81};
     double stepsize = 0;  // s, that the file asks for; 0: it does not say
     Medium medium;
+    Vec magnetic{0, -0.5, 0};       // flux, that magnetometers read
     bool touches_itself = true;     // but what can never part; false: not what overlaps at the reference
     bool largest_friction = false;  // of a pair, as MuJoCo has it; else the geometric mean
     int coordinates = 0;

@@ -4,6 +4,7 @@
 // The sensors that a file names, by MJCF's kinds: see sensors.h.
 #include <algorithm>
 
+#include "robots/energy.h"
 #include "robots/kinematics.h"
 #include "robots/sensor_kinds.h"
 #include "robots/sensors.h"
@@ -26,6 +27,8 @@ std::vector<double> Sensors::read_joint(const Sensor& sensor) const
         const Robot::Stroke its = robot_.stroke(actuator);
         return {sensor.kind == "actuatorpos" ? its.length : its.rate};
     }
+    if (sensor.kind.find("limit") != std::string::npos) return read_limit(sensor);
+    if (sensor.kind.starts_with("tendon")) return read_tendon(sensor);
     const int number = model.joint_named(sensor.object);
     if (number < 0) return {};
     if (sensor.kind == "jointactuatorfrc") {
@@ -41,6 +44,43 @@ std::vector<double> Sensors::read_joint(const Sensor& sensor) const
     const int has = is_position ? joint.coordinates() : velocities_of(joint);
     if (has != count) return {};
     return {all.begin() + begin, all.begin() + begin + count};
+}
+
+std::vector<double> Sensors::read_tendon(const Sensor& sensor) const
+{
+    const int number = robot_.model().tendon_named(sensor.object);
+    if (number < 0) return {};
+    if (sensor.kind == "tendonactuatorfrc") return {robot_.actuators_force_of_tendon(number)};
+    const Robot::Stroke its = robot_.tendon_stroke(number);
+    return {sensor.kind == "tendonpos" ? its.length : its.rate};
+}
+
+// How far it is beyond, below 0, and how fast that changes; 0 within.
+std::vector<double> Sensors::read_limit(const Sensor& sensor) const
+{
+    const RobotModel& model = robot_.model();
+    const bool of_tendon = sensor.kind.starts_with("tendon");
+    const int number = of_tendon ? model.tendon_named(sensor.object) : model.joint_named(sensor.object);
+    if (number < 0 || (!of_tendon && !model.joints[size_t(number)].is_scalar())) return {};
+    const Robot::Stroke its = of_tendon ? robot_.tendon_stroke(number) : robot_.joint_stroke(number);
+    const auto [low, high] =
+        of_tendon ? std::pair(model.tendons[size_t(number)].low, model.tendons[size_t(number)].high)
+                  : std::pair(model.joints[size_t(number)].low, model.joints[size_t(number)].high);
+    const bool is_low = its.length<low, is_high = its.length> high;
+    const double sign = is_low ? 1 : is_high ? -1 : 0;
+    if (sign == 0) return {0};
+    return {sensor.kind.ends_with("pos") ? sign * (its.length - (is_low ? low : high)) : sign * its.rate};
+}
+
+// As an accelerometer's, gravity in it, in the world's axes; or of the turning.
+std::vector<double> Sensors::read_acceleration(const Sensor& sensor, const Frame& frame) const
+{
+    Vec force, rate;
+    if (!imu(frame.link, frame.pose, force, rate)) return {};
+    const Motion &a = before_[size_t(frame.link)], &b = now_[size_t(frame.link)];
+    if (sensor.kind == "frameangacc")
+        return list_of((1 / stepsize_) * (rotate(b.pose.q, b.angular) - rotate(a.pose.q, a.angular)));
+    return list_of(rotate((link_pose(frame.link) * frame.pose).q, force));
 }
 
 Sensors::Seen Sensors::seen(const Frame& frame) const
@@ -74,7 +114,7 @@ std::vector<double> Sensors::read_motion(const Sensor& sensor, const Frame& fram
     return list_of(sensor.kind == "frameangvel" ? its.angular : its.linear);
 }
 
-// Of a link and all that hangs on it: the centre of mass, or its velocity. Not of links that have become part of others.
+// Of a link and all that hangs on it: the centre of mass, its velocity, or the angular momentum about it. Not of links that have become part of others.
 std::vector<double> Sensors::read_subtree(const Sensor& sensor, int root) const
 {
     const auto& links = robot_.model().links;
@@ -82,14 +122,20 @@ std::vector<double> Sensors::read_subtree(const Sensor& sensor, int root) const
     const std::vector<Motion> motions = motion_now();
     std::vector<bool> hangs(links.size());
     double mass = 0;
-    Vec sum;
+    Vec sum, momentum, about_origin, centre;
     for (size_t i = size_t(root); i < links.size(); ++i) {
         hangs[i] = int(i) == root || (links[i].parent >= 0 && hangs[size_t(links[i].parent)]);
         if (!hangs[i] || i == 0) continue;
         const Motion& its = motions[i];
         const Vec of = sensor.kind == "subtreecom" ? its.pose.p : rotate(its.pose.q, its.linear);
         mass += links[i].mass, sum = sum + links[i].mass * of;
+        const Vec p = links[i].mass * rotate(its.pose.q, its.linear);
+        momentum = momentum + p, centre = centre + links[i].mass * its.pose.p;
+        about_origin =
+            about_origin + cross(its.pose.p, p) + rotate(its.pose.q, apply(links[i].inertia, its.angular));
     }
+    if (sensor.kind == "subtreeangmom" && mass > 0)
+        return list_of(about_origin - cross((1 / mass) * centre, momentum));
     return mass > 0 ? list_of((1 / mass) * sum) : std::vector<double>{};
 }
 
@@ -97,12 +143,18 @@ std::vector<double> Sensors::read(int number, dSpaceID space, std::string& probl
 {
     const Sensor& sensor = robot_.model().sensors[size_t(number)];
     problem = "a sensor that is computed, on something that the model has";
+    if (values_of_energy(sensor.kind))
+        return {sensor.kind == "e_kinetic" ? kinetic_energy(robot_) : potential_energy(robot_, gravity())};
     if (values_of_joint_sensor(sensor.kind)) return read_joint(sensor);
     Frame frame;
     if (!values_of_frame_sensor(sensor.kind) ||
         !robot_.model().object_named(sensor.object_type, sensor.object, frame))
         return {};
     Vec first, second;
+    if (sensor.kind == "framelinacc" || sensor.kind == "frameangacc") {
+        problem = "dRobotUpdateSensors after every step";
+        return read_acceleration(sensor, frame);
+    }
     if (sensor.kind == "accelerometer" || sensor.kind == "gyro") {
         problem = "dRobotUpdateSensors after every step";
         if (!imu(frame.link, frame.pose, first, second)) return {};
@@ -115,7 +167,10 @@ std::vector<double> Sensors::read(int number, dSpaceID space, std::string& probl
         return list_of(sensor.is_on_child ? -its : its);
     }
     if (sensor.kind.starts_with("subtree")) return read_subtree(sensor, frame.link);
-    if (sensor.kind == "touch") return {touch(frame.link).normal_force};
+    if (sensor.kind == "touch") return {touch(frame.link, frame.size.x > 0 ? &frame : nullptr).normal_force};
+    if (sensor.kind == "magnetometer")
+        return list_of(rotate(conjugate((link_pose(frame.link) * frame.pose).q),
+                              rotate(robot_.placement().q, robot_.model().magnetic)));
     if (sensor.kind != "rangefinder") return read_motion(sensor, frame);
     problem = "a space for a rangefinder's ray";
     if (!space) return {};

@@ -59,15 +59,17 @@ bool fits(const Coupling& c)
 bool fits(const Closure& closure) { return fits(closure.pose1) && fits(closure.pose2); }
 bool fits(const Tendon& t)
 {
-    return all_fit(t.terms) && all_fit(t.path) && fits(t.stiffness) && fits(t.damping) && fits(t.rest) &&
-           fits(t.rest_high);
+    return all_fit(t.terms) && all_fit(t.path) && fits(t.stiffness) && fits(t.damping) && fits(t.friction) &&
+           fits(t.armature) && fits(t.rest) && fits(t.rest_high);
 }
 bool fits(const Actuator& a)
 {
     return fits(a.gear) && fits(a.gain) && fits(a.bias) && fits(a.bias_position) && fits(a.bias_velocity) &&
-           fits(a.filter.time);
+           fits(a.filter.time) && fits(a.wrench.pose) && fits(a.wrench.reference) && fits(a.wrench.force) &&
+           fits(a.wrench.torque);
 }
-bool fits(const Frame& frame) { return fits(frame.pose); }
+bool fits(const ShapePair& p) { return fits(p.friction) && fits(p.rolling_friction); }
+bool fits(const Frame& frame) { return fits(frame.pose) && fits(frame.size); }
 bool fits(const Start& start) { return all_fit(start.positions) && all_fit(start.controls); }
 bool fits(const Mesh& mesh) { return all_fit(mesh.vertices); }
 bool fits(const HeightField& f) { return fits(f.half_x) && fits(f.half_y) && fits(f.top) && fits(f.base); }
@@ -134,6 +136,7 @@ void judge_numbers(RobotModel& model)
     judge(model, model.closures, "closure", &Closure::name);
     judge(model, model.tendons, "tendon", &Tendon::name);
     judge(model, model.actuators, "actuator", &Actuator::name);
+    judge(model, model.pairs, "pair", &ShapePair::name);
     judge(model, model.frames, "frame", &Frame::name);
     for (const Camera& camera : model.cameras)
         if (!fits(camera.frame)) refuse(model, 0, "camera '" + camera.frame.name + "'");

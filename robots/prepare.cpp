@@ -42,6 +42,7 @@ void Prepared::make_rests()
 Prepared::Prepared(RobotModel model)
     : model_(std::move(model)),
       springs_(model_),
+      pairs_(model_),
       hulls_(model_.meshes.size()),
       triangles_(model_.meshes.size(), nullptr),
       corners_(model_.meshes.size()),

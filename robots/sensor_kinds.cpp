@@ -16,14 +16,17 @@ struct Kind {
     int values;
 };
 
-constexpr Kind kOfJoints[] = {{"jointpos", 1},    {"jointvel", 1},   {"jointactuatorfrc", 1},
-                              {"actuatorfrc", 1}, {"ballquat", 4},   {"ballangvel", 3},
-                              {"actuatorpos", 1}, {"actuatorvel", 1}};
+constexpr Kind kOfJoints[] = {{"jointpos", 1},      {"jointvel", 1},          {"jointactuatorfrc", 1},
+                              {"actuatorfrc", 1},   {"ballquat", 4},          {"ballangvel", 3},
+                              {"actuatorpos", 1},   {"actuatorvel", 1},       {"tendonpos", 1},
+                              {"tendonvel", 1},     {"tendonactuatorfrc", 1}, {"jointlimitpos", 1},
+                              {"jointlimitvel", 1}, {"tendonlimitpos", 1},    {"tendonlimitvel", 1}};
+constexpr Kind kOfEnergy[] = {{"e_potential", 1}, {"e_kinetic", 1}};
 constexpr Kind kOfFrames[] = {
-    {"accelerometer", 3}, {"gyro", 3},        {"velocimeter", 3}, {"force", 3},
-    {"torque", 3},        {"touch", 1},       {"rangefinder", 1}, {"framepos", 3},
-    {"framequat", 4},     {"framelinvel", 3}, {"frameangvel", 3}, {"framexaxis", 3},
-    {"frameyaxis", 3},    {"framezaxis", 3},  {"subtreecom", 3},  {"subtreelinvel", 3}};
+    {"accelerometer", 3}, {"gyro", 3},          {"velocimeter", 3}, {"force", 3},       {"torque", 3},
+    {"touch", 1},         {"rangefinder", 1},   {"framepos", 3},    {"framequat", 4},   {"framelinvel", 3},
+    {"frameangvel", 3},   {"framexaxis", 3},    {"frameyaxis", 3},  {"framezaxis", 3},  {"subtreecom", 3},
+    {"subtreelinvel", 3}, {"subtreeangmom", 3}, {"framelinacc", 3}, {"frameangacc", 3}, {"magnetometer", 3}};
 
 template <size_t n>
 int find(const Kind (&kinds)[n], const std::string& name)
@@ -36,6 +39,10 @@ int find(const Kind (&kinds)[n], const std::string& name)
 
 int values_of_joint_sensor(const std::string& kind) { return find(kOfJoints, kind); }
 int values_of_frame_sensor(const std::string& kind) { return find(kOfFrames, kind); }
-int values_of(const std::string& kind) { return values_of_joint_sensor(kind) + values_of_frame_sensor(kind); }
+int values_of_energy(const std::string& kind) { return find(kOfEnergy, kind); }
+int values_of(const std::string& kind)
+{
+    return values_of_joint_sensor(kind) + values_of_frame_sensor(kind) + values_of_energy(kind);
+}
 
 }  // namespace epode::robots

@@ -9,9 +9,10 @@
 
 namespace epode::robots {
 
-// Of a joint or an actuator's joint; of a frame; 0 of kinds that are none of them.
+// Of a joint, a tendon or an actuator; of a frame; 0 of kinds that are none of them.
 int values_of_joint_sensor(const std::string& kind);
 int values_of_frame_sensor(const std::string& kind);
+int values_of_energy(const std::string& kind);  // of the whole robot
 // Of any, 0 of kinds that are not computed.
 int values_of(const std::string& kind);
 

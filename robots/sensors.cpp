@@ -12,6 +12,7 @@
 
 #include "robots/body_poses.h"
 #include "robots/kinematics.h"
+#include "robots/zone.h"
 
 namespace epode::robots {
 
@@ -179,7 +180,13 @@ bool Sensors::is_of(dGeomID geom, int link) const
     return link == 0 && !dGeomGetBody(geom) && std::find(all.begin(), all.end(), geom) != all.end();
 }
 
-Touch Sensors::touch(int link) const
+bool Sensors::feels(const Frame& zone, Vec point, Vec outwards) const
+{
+    const Pose at = link_pose(zone.link) * zone.pose;
+    return ray_meets_zone(zone.zone, zone.size, inverse(at) * point, rotate(conjugate(at.q), outwards));
+}
+
+Touch Sensors::touch(int link, const Frame* zone) const
 {
     std::vector<dWorldContact> contacts(size_t(std::max(0, dWorldGetContacts(world_, nullptr, 0))));
     dWorldGetContacts(world_, contacts.data(), int(contacts.size()));
@@ -190,6 +197,7 @@ Touch Sensors::touch(int link) const
         const double normal = double(contact.normal_force);
         const Vec force = normal * vec_of(contact.normal) + vec_of(contact.friction_force);
         if (side == 0 || !(normal > 0)) continue;
+        if (zone && !feels(*zone, vec_of(contact.pos), -side * vec_of(contact.normal))) continue;
         ++out.points;
         out.normal_force += normal;
         out.force = out.force + side * force;

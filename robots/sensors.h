@@ -50,7 +50,8 @@ class Sensors {
     bool watch_force(int link, bool on);
     // False for a link that is not watched.
     bool force_torque(int link, const Pose& frame, Vec& force, Vec& torque) const;
-    Touch touch(int link) const;
+    // zone: of its frame, where that has one; else the whole link.
+    Touch touch(int link, const Frame* zone = nullptr) const;
     int cast(int link, const Pose& frame, dSpaceID space, const std::vector<Vec>& directions,
              double max_distance, int threads, std::vector<dQueryHit>& hits) const;
     int take_picture(int link, const Pose& frame, dSpaceID space, const View& view,
@@ -75,6 +76,10 @@ class Sensors {
     std::vector<double> read_joint(const Sensor& sensor) const;
     std::vector<double> read_motion(const Sensor& sensor, const Frame& frame) const;
     std::vector<double> read_subtree(const Sensor& sensor, int root) const;
+    std::vector<double> read_acceleration(const Sensor& sensor, const Frame& frame) const;
+    std::vector<double> read_limit(const Sensor& sensor) const;
+    std::vector<double> read_tendon(const Sensor& sensor) const;
+    bool feels(const Frame& zone, Vec point, Vec outwards) const;
 
     const Robot& robot_;
     dWorldID world_;

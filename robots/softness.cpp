@@ -45,6 +45,8 @@ bool is_soft(const RobotModel& model)
     const auto shape_is = [](const Shape& shape) { return shape.softness.stated; };
     for (const Link& link : model.links)
         if (std::any_of(link.shapes.begin(), link.shapes.end(), shape_is)) return true;
+    for (const ShapePair& pair : model.pairs)
+        if (pair.softness.stated) return true;
     return std::any_of(model.joints.begin(), model.joints.end(),
                        [](const Joint& joint) { return joint.stop_softness.stated; });
 }
@@ -93,6 +95,12 @@ Spring Springs::of_shape(int link, const Shape& shape) const
 {
     if (of_links_.empty()) return {};
     return spring_of(shape.softness, of_links_[size_t(link)], weight_ / 2);
+}
+
+Spring Springs::of_pair(int link1, int link2, const Softness& softness) const
+{
+    if (of_links_.empty()) return {};
+    return spring_of(softness, of_links_[size_t(link1)] + of_links_[size_t(link2)], weight_ / 2);
 }
 
 Spring Springs::of_limit(const RobotModel& model, int joint) const

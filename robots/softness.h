@@ -31,6 +31,7 @@ class Springs {
   public:
     explicit Springs(const RobotModel& model);
     Spring of_shape(int link, const Shape& shape) const;
+    Spring of_pair(int link1, int link2, const Softness& softness) const;
     Spring of_limit(const RobotModel& model, int joint) const;
 
   private:

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What a robot has in addition to its world's state, as numbers: of each actuator control, activation and input; whether filters act;
-// of each joint stiffness, damping and target of its servo. A world's state has the drives that follow from them.
+// of each joint stiffness, damping and target of its servo; of each spatial tendon with friction or armature its past. A world's state has the drives that follow from them.
 #include <ode/ext.h>
 
 #include <algorithm>
@@ -31,6 +31,9 @@ std::vector<double> Robot::state() const
         out.insert(out.end(), values->begin(), values->end());
     out.push_back(filters_act_);
     for (const Servo& servo : servos_) out.insert(out.end(), {servo.stiffness, servo.damping, servo.target});
+    for (size_t i = 0; i < pasts_.size(); ++i)
+        if (const Past& its = pasts_[i]; has_past(int(i)))
+            out.insert(out.end(), {double(its.is_known), its.rate, its.inertia, its.hold});
     return out;
 }
 
@@ -44,11 +47,16 @@ bool Robot::can_be_control(size_t actuator, double value) const
 bool Robot::is_state(const std::vector<double>& numbers) const
 {
     const size_t servos = 3 * controls_.size() + 1;
-    if (numbers.size() != servos + 3 * servos_.size()) return false;
+    const size_t pasts = servos + 3 * servos_.size();
+    size_t with_past = 0;
+    for (size_t i = 0; i < pasts_.size(); ++i) with_past += has_past(int(i));
+    if (numbers.size() != pasts + 4 * with_past) return false;
+    for (size_t i = pasts; i < numbers.size(); i += 4)
+        if (numbers[i] != 0 && numbers[i] != 1) return false;
     if (!std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); })) return false;
     for (size_t i = 0; i < controls_.size(); ++i)
         if (!can_be_control(i, numbers[i])) return false;
-    for (size_t i = servos; i < numbers.size(); i += 3)
+    for (size_t i = servos; i < pasts; i += 3)
         if (numbers[i] < 0 || numbers[i + 1] < 0) return false;
     return numbers[servos - 1] == 0 || numbers[servos - 1] == 1;
 }
@@ -63,6 +71,8 @@ bool Robot::set_state(const std::vector<double>& numbers)
     }
     filters_act_ = *from++ == 1;
     for (Servo& servo : servos_) servo = {from[0], from[1], from[2]}, from += 3;
+    for (size_t i = 0; i < pasts_.size(); ++i)
+        if (has_past(int(i))) pasts_[i] = {from[0] == 1, from[1], from[2], from[3]}, from += 4;
     set_drives();
     return true;
 }

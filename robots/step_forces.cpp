@@ -18,6 +18,7 @@
 #include "robots/build.h"
 #include "robots/mass_factor.h"
 #include "robots/muscle.h"
+#include "robots/wrench.h"
 
 namespace epode::robots {
 
@@ -25,7 +26,7 @@ struct Robot::Pull {
     int tendon;
     Path path;
     double rate;
-    double sum = 0;  // S; 0: not needed
+    double sum = 0, inverse = 0;  // S and A; 0: not needed
 };
 
 namespace {
@@ -79,14 +80,18 @@ bool Robot::is_filtered(size_t actuator) const
 
 void Robot::set_drive_of(const Actuator& actuator)
 {
-    actuator.joint >= 0 ? set_joint_drive(actuator.joint) : set_tendon_drive(actuator.tendon);
+    if (actuator.joint >= 0) set_joint_drive(actuator.joint);
+    if (actuator.tendon >= 0) set_tendon_drive(actuator.tendon);
 }
 
 void Robot::set_control(int actuator, double value)
 {
     const Actuator& its = model().actuators[size_t(actuator)];
     const double control = std::clamp(value, its.low, its.high);
-    if (its.tendon >= 0 && control != controls_[size_t(actuator)]) wake(model().tendons[size_t(its.tendon)]);
+    if (control != controls_[size_t(actuator)]) {
+        if (its.tendon >= 0) wake(model().tendons[size_t(its.tendon)]);
+        wake_pushed(its);
+    }
     controls_[size_t(actuator)] = control;
     if (is_filtered(size_t(actuator))) return;
     inputs_[size_t(actuator)] = control;
@@ -194,6 +199,31 @@ double Robot::force(const Pull& pull, double h) const
     return std::max(out, limit / h * (tendon.low - next));
 }
 
+bool Robot::has_past(int tendon) const
+{
+    const Tendon& its = model().tendons[size_t(tendon)];
+    return !its.path.empty() && (its.friction > 0 || its.armature > 0);
+}
+
+// Armature b and dry friction. The mass matrix has b, and with it A. What b exerts is -b L'', which the step itself does not know: without
+// b the tendon would have been accelerated by L'' - A0 B in the step before, with the force B of b in it and the inverse mass
+// A0 = A / (1 - b A) without b, and is now; so B = -b ((1 - b A) L'' - A B), exact but for what else changes within a step.
+// Friction stops the tendon, V = h A F, and remembers what that took, so that it holds a load without creep.
+double Robot::drag(const Pull& pull, double h)
+{
+    if (!has_past(pull.tendon) || !(pull.inverse > 0)) return 0;
+    const Tendon& tendon = model().tendons[size_t(pull.tendon)];
+    const double b = tendon.armature, most = tendon.friction, inverse = pull.inverse;
+    Past& past = pasts_[size_t(pull.tendon)];
+    const double acceleration = past.is_known ? (pull.rate - past.rate) / h : 0;
+    const double inertia =
+        past.is_known ? -b * ((1 - b * inverse) * acceleration - inverse * past.inertia) : 0;
+    const double stop = pull.rate / (h * pull.sum);
+    past.hold = std::clamp(past.hold - stop, -most, most);
+    past.rate = pull.rate, past.inertia = inertia, past.is_known = true;
+    return inertia + std::clamp(past.hold - stop, -most, most);
+}
+
 // S of those that need it.
 void Robot::set_limits_of(std::vector<Pull>& pulls, double h) const
 {
@@ -202,7 +232,8 @@ void Robot::set_limits_of(std::vector<Pull>& pulls, double h) const
     for (Pull& pull : pulls) {
         const Tendon& tendon = model().tendons[size_t(pull.tendon)];
         const bool is_held = beyond(pull.path.length + h * pull.rate, tendon.low, tendon.high) != 0;
-        if (!is_held && stiffness(pull.tendon) <= 0 && damping(pull.tendon) <= 0) continue;
+        if (!is_held && !has_past(pull.tendon) && stiffness(pull.tendon) <= 0 && damping(pull.tendon) <= 0)
+            continue;
         stiff.push_back(&pull), numbers.push_back(pull.tendon);
     }
     if (stiff.empty()) return;
@@ -212,10 +243,13 @@ void Robot::set_limits_of(std::vector<Pull>& pulls, double h) const
     const std::vector<double> moments = tendon_moments(model(), q, numbers);
     std::vector<std::vector<double>> halves;
     for (size_t i = 0; i < stiff.size(); ++i) halves.push_back(masses.halfway(&moments[i * masses.size()]));
-    for (size_t i = 0; i < stiff.size(); ++i)
-        for (const std::vector<double>& other : halves)
-            stiff[i]->sum +=
-                std::fabs(std::inner_product(other.begin(), other.end(), halves[i].begin(), 0.0));
+    const auto product = [&](size_t i, size_t k) {
+        return std::inner_product(halves[k].begin(), halves[k].end(), halves[i].begin(), 0.0);
+    };
+    for (size_t i = 0; i < stiff.size(); ++i) {
+        stiff[i]->inverse = product(i, i);
+        for (size_t k = 0; k < stiff.size(); ++k) stiff[i]->sum += std::fabs(product(i, k));
+    }
 }
 
 double Robot::rate_of(const Path& path) const
@@ -226,30 +260,47 @@ double Robot::rate_of(const Path& path) const
     return rate;
 }
 
+Robot::Stroke Robot::joint_stroke(int joint) const
+{
+    const dJointID its = joints_[size_t(joint)];
+    return {double(dJointGetAxisPosition(its, 0)) + model().joints[size_t(joint)].reference,
+            double(dJointGetAxisRate(its, 0))};
+}
+
+Robot::Stroke Robot::tendon_stroke(int number) const
+{
+    const Tendon& tendon = model().tendons[size_t(number)];
+    Stroke out{0, 0};
+    for (const Coupling::Term& term : tendon.terms) {
+        const Stroke its = joint_stroke(term.joint);
+        out.length += term.factor * its.length, out.rate += term.factor * its.rate;
+    }
+    if (tendon.path.empty()) return out;
+    const Path path = path_of(tendon, link_poses());
+    return {path.length, rate_of(path)};
+}
+
+// Of an actuator of a ball: of the rotation vector along its direction.
+Robot::Stroke Robot::turn_stroke(const Actuator& actuator) const
+{
+    Stroke out{0, 0};
+    for (int axis = 0; axis < 3; ++axis) {
+        const dJointID its = turns_[size_t(actuator.joint)];
+        out.length += actuator.direction[axis] * double(dJointGetAxisPosition(its, axis));
+        out.rate += actuator.direction[axis] * double(dJointGetAxisRate(its, axis));
+    }
+    return out;
+}
+
 Robot::Stroke Robot::stroke(int actuator) const
 {
     const Actuator& a = model().actuators[size_t(actuator)];
-    double place = 0, rate = 0;
-    const auto add = [&](int joint, double factor) {
-        const dJointID its = joints_[size_t(joint)];
-        place += factor * (double(dJointGetAxisPosition(its, 0)) + model().joints[size_t(joint)].reference);
-        rate += factor * double(dJointGetAxisRate(its, 0));
-    };
-    if (a.joint >= 0 && turns_[size_t(a.joint)]) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const dJointID its = turns_[size_t(a.joint)];
-            place += a.direction[axis] * double(dJointGetAxisPosition(its, axis));
-            rate += a.direction[axis] * double(dJointGetAxisRate(its, axis));
-        }
-    } else if (a.joint >= 0) {
-        add(a.joint, 1);
-    } else if (const Tendon& tendon = model().tendons[size_t(a.tendon)]; tendon.path.empty()) {
-        for (const Coupling::Term& term : tendon.terms) add(term.joint, term.factor);
-    } else {
-        const Path path = path_of(tendon, link_poses());
-        place = path.length, rate = rate_of(path);
-    }
-    return {a.gear * place, a.gear * rate};
+    if (a.wrench.link >= 0) return wrench_stroke(a.wrench);
+    if (a.adhesive_link >= 0) return {0, 0};
+    const Stroke its = a.joint < 0               ? tendon_stroke(a.tendon)
+                       : turns_[size_t(a.joint)] ? turn_stroke(a)
+                                                 : joint_stroke(a.joint);
+    return {a.gear * its.length, a.gear * its.rate};
 }
 
 double Robot::actuator_force(int actuator) const
@@ -271,12 +322,23 @@ double Robot::actuators_force(int joint) const
     double sum = 0;
     for (size_t i = 0; i < model().actuators.size(); ++i) {
         const Actuator& a = model().actuators[i];
-        if (a.joint >= 0 && a.joint != joint) continue;
-        const double arm =
-            a.joint >= 0 ? 1 : tendon_moments(model(), positions(), std::array{a.tendon})[column];
+        if (a.joint >= 0 ? a.joint != joint : a.adhesive_link >= 0) continue;
+        const double arm = a.joint >= 0 ? 1
+                           : a.wrench.link >= 0
+                               ? wrench_moments(model(), positions(), a.wrench)[column]
+                               : tendon_moments(model(), positions(), std::array{a.tendon})[column];
         if (arm != 0) sum += arm * a.gear * actuator_force(int(i));
     }
     return largest > 0 ? std::clamp(sum, -largest, largest) : sum;
+}
+
+// Before their gears, as MuJoCo's sensor has it.
+double Robot::actuators_force_of_tendon(int tendon) const
+{
+    double sum = 0;
+    for (size_t i = 0; i < model().actuators.size(); ++i)
+        if (model().actuators[i].tendon == tendon) sum += actuator_force(int(i));
+    return sum;
 }
 
 // Of the spatial tendons of which something moves.
@@ -312,7 +374,7 @@ void Robot::act(const Path& path, double force) const
 int Robot::add_tendon_forces(double h)
 {
     const std::vector<Pull> all = pulls(h);
-    for (const Pull& pull : all) act(pull.path, force(pull, h));
+    for (const Pull& pull : all) act(pull.path, force(pull, h) + drag(pull, h));
     return int(all.size());
 }
 
@@ -339,7 +401,8 @@ int Robot::add_forces(double h)
 {
     const int filters = move_filters(h);
     move_muscles();
-    return filters + add_tendon_forces(h) + add_fluid_forces(h) + add_lifts();
+    return filters + add_tendon_forces(h) + add_wrenches(h) + add_adhesion() + add_fluid_forces(h) +
+           add_lifts();
 }
 
 }  // namespace epode::robots

@@ -102,6 +102,14 @@ void merge_fixed_links(RobotModel& model)
             const Merged& sides = place[size_t(part.side_link)];
             part.side = sides.pose * part.side, part.side_link = sides.link;
         }
+    for (Actuator& actuator : model.actuators) {
+        SiteWrench& its = actuator.wrench;
+        const auto put = [&](int& link, Pose& pose) {
+            if (link >= 0) pose = place[size_t(link)].pose * pose, link = place[size_t(link)].link;
+        };
+        put(its.link, its.pose), put(its.reference_link, its.reference);
+        if (actuator.adhesive_link >= 0) actuator.adhesive_link = place[size_t(actuator.adhesive_link)].link;
+    }
     for (auto& pair : model.excluded)
         for (int& link : pair) link = place[size_t(link)].link;
     for (auto& pair : model.excluded_still) pair[0] = place[size_t(pair[0])].link;

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "batch/model/loops.h"
+#include "robots/pairs.h"
 #include "robots/shape_geom.h"
 
 namespace epode::batch {
@@ -114,7 +115,8 @@ class Pairs {
     bool may_touch(const Touching& a, const Touching& b) const
     {
         if (a.link == b.link || (stands_still(a.link) && stands_still(b.link))) return false;
-        const bool wanted = (a.shape->category & b.shape->collide) || (b.shape->category & a.shape->collide);
+        const bool wanted = (a.shape->category & b.shape->collide) ||
+                            (b.shape->category & a.shape->collide) || pair_of(model_, *a.shape, *b.shape);
         if (!wanted || are_connected(a.link, b.link)) return false;
         if (still_.count({b.link, a.shape->still}) || still_.count({a.link, b.shape->still})) return false;
         return !excluded_.count({std::min(a.link, b.link), std::max(a.link, b.link)});
@@ -131,7 +133,9 @@ class Pairs {
         pair.support = support_of(a.link, b.link);
         pair.is_upright = b.shape->kind == ShapeKind::kPlane && is_upright(b);
         const int first = a.shape->priority, second = b.shape->priority;
-        const int dimensions = first > second   ? a.shape->dimensions
+        const ShapePair* const own = pair_of(model_, *a.shape, *b.shape);
+        const int dimensions = own              ? own->dimensions
+                               : first > second ? a.shape->dimensions
                                : second > first ? b.shape->dimensions
                                                 : std::max(a.shape->dimensions, b.shape->dimensions);
         pair.rolls = dimensions >= 6;
@@ -140,11 +144,14 @@ class Pairs {
             if (first != second) return first > second ? one : two;
             return model_.largest_friction ? std::max(one, two) : std::sqrt(one * two);
         };
-        const double friction = combined(a.shape->friction, b.shape->friction);
-        const double torsion = combined(a.shape->torsional_friction, b.shape->torsional_friction);
-        const double rolling = combined(a.shape->rolling_friction, b.shape->rolling_friction);
-        const Spring spring = in_series(prepared_.springs().of_shape(a.link, *a.shape),
-                                        prepared_.springs().of_shape(b.link, *b.shape));
+        const double friction = own ? own->friction : combined(a.shape->friction, b.shape->friction);
+        const double torsion = own ? own->torsional_friction
+                                   : combined(a.shape->torsional_friction, b.shape->torsional_friction);
+        const double rolling =
+            own ? own->rolling_friction : combined(a.shape->rolling_friction, b.shape->rolling_friction);
+        const Spring spring = own ? prepared_.springs().of_pair(a.link, b.link, own->softness)
+                                  : in_series(prepared_.springs().of_shape(a.link, *a.shape),
+                                              prepared_.springs().of_shape(b.link, *b.shape));
         pair.first = int(out_.numbers.size());
         out_.numbers.insert(out_.numbers.end(), {friction, spring.stiffness, spring.damping,
                                                  dimensions >= 4 ? torsion : 0, pair.rolls ? rolling : 0});

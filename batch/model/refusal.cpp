@@ -39,6 +39,8 @@ std::string refused_joint(const Joint& joint)
 std::string refused_tendon(const RobotModel& model, size_t number)
 {
     const Tendon& its = model.tendons[number];
+    if (its.friction > 0 || its.armature > 0)
+        return named("tendon", its.name) + ": a batch has no dry friction and no armature of tendons";
     if (its.path.empty()) return refused_terms(model, "tendon", its.name, its.terms);
     bool acts = its.stiffness > 0 || its.damping > 0 || its.low > -kInfinity || its.high < kInfinity;
     for (const Actuator& a : model.actuators) acts |= a.tendon == int(number);
@@ -56,6 +58,9 @@ std::string refused_sums(const RobotModel& model)
 
 std::string refused_actuator(const RobotModel& model)
 {
+    for (const Actuator& its : model.actuators)
+        if (its.wrench.link >= 0 || its.adhesive_link >= 0)
+            return named("actuator", its.name) + ": a batch has no actuators of sites and no adhesion";
     for (const Actuator& its : model.actuators)
         if (its.muscle.acts || its.gain_position != 0 || its.gain_velocity != 0)
             return named("actuator", its.name) +

@@ -139,6 +139,7 @@ void Mjcf::read_option(const Element& element)
     reading_.number(element, "density", model_.medium.density);
     reading_.number(element, "viscosity", model_.medium.viscosity);
     reading_.vec(element, "wind", model_.medium.wind);
+    reading_.vec(element, "magnetic", model_.magnetic);
     if (model_.medium.acts())
         reading_.note_once(Note::kChanged, element,
                            "the forces of the medium act where dRobotAddForces is called before a step");
@@ -173,6 +174,7 @@ void Mjcf::switch_off()
     for (Tendon& tendon : model_.tendons) {
         if (is_off("spring")) tendon.stiffness = 0;
         if (is_off("damper")) tendon.damping = 0;
+        if (is_off("frictionloss")) tendon.friction = 0;
         if (is_off("limit")) tendon.low = -kInfinity, tendon.high = kInfinity;
     }
     if (is_off("clampctrl"))

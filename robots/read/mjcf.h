@@ -103,6 +103,7 @@ class Mjcf {
     void read_children(const std::vector<Element>& children, const Scope& scope);
     void read_inertial(const Attributes& attributes, const Pose& frame, Inertia& out);
     void read_joint(const Attributes& attributes, const Scope& scope);
+    void read_site(const Attributes& attributes, const Scope& scope);
     void read_camera(const Attributes& attributes, const Scope& scope);
     void read_color(const Attributes& attributes, Shape& shape);
     void read_free_joint(const Attributes& attributes, const Scope& scope);
@@ -145,6 +146,8 @@ class Mjcf {
     void read_actuators(const Element& section);
     void read_actuator(const Attributes& attributes);
     bool find_target(const Attributes& attributes, Actuator& actuator);
+    bool find_site(const Attributes& attributes, Actuator& actuator);
+    bool find_body(const Attributes& attributes, Actuator& actuator);
     bool find_direction(const Attributes& attributes, Actuator& actuator);
     void read_gains(const Attributes& attributes, Actuator& actuator);
     void read_activation(const Attributes& attributes, Actuator& actuator);
@@ -164,6 +167,9 @@ class Mjcf {
     void read_tendon_equality(const Attributes& attributes);
     bool read_line(const Attributes& attributes, std::array<double, 2>& line, Coupling& coupling);
     void read_contacts(const Element& section);
+    bool find_touching(const Element& element, const char* attribute, int& link);
+    void read_pair(const Attributes& attributes);
+    void read_pair_friction(const Attributes& attributes, ShapePair& pair);
     void read_keys(const Element& section);
     void read_mocap(const Element& element, Start& start);
     void read_sensors(const Element& section);

@@ -4,9 +4,11 @@
 // Actuators, equalities, contacts, keys and sensors: see mjcf.h.
 #include <algorithm>
 
+#include "robots/pairs.h"
 #include "robots/read/mjcf.h"
 #include "robots/sensor_kinds.h"
 #include "robots/tendon.h"
+#include "robots/wrench.h"
 
 namespace epode::robots {
 
@@ -15,6 +17,8 @@ bool Mjcf::find_target(const Attributes& a, Actuator& actuator)
     std::string joint = a.element().text("joint");
     if (joint.empty()) joint = a.element().text("jointinparent");
     const std::string tendon = a.element().text("tendon");
+    if (a.element().has("site")) return find_site(a, actuator);
+    if (a.element().has("body")) return find_body(a, actuator);
     if (joint.empty() && tendon.empty()) {
         reading_.note(Note::kIgnored, a.element(),
                       "actuator '" + actuator.name + "' acts on neither joint nor tendon");
@@ -33,6 +37,40 @@ bool Mjcf::find_target(const Attributes& a, Actuator& actuator)
     }
     if (actuator.joint < 0 || model_.joints[size_t(actuator.joint)].is_scalar()) return true;
     return find_direction(a, actuator);
+}
+
+// Of a slidercrank, which has another one for the crank: none.
+bool Mjcf::find_site(const Attributes& a, Actuator& actuator)
+{
+    const Element& element = a.element();
+    const Frame *const site = site_named(element.text("site")), *const reference =
+                                                                    site_named(element.text("refsite"));
+    for (const char* name : {"site", "refsite"})
+        if (element.has(name) && !site_named(element.text(name)))
+            return reading_.error(element, "there is no site '" + element.text(name) + "'"), false;
+    std::vector<double> gear;
+    list(a, "gear", 1, 6, gear);
+    if (gear.empty()) gear = {1};
+    gear.resize(6, 0);
+    SiteWrench& wrench = actuator.wrench;
+    wrench.link = site->link, wrench.pose = site->pose;
+    if (reference) wrench.reference_link = reference->link, wrench.reference = reference->pose;
+    wrench.force = {gear[0], gear[1], gear[2]}, wrench.torque = {gear[3], gear[4], gear[5]};
+    reading_.note_once(Note::kChanged, element,
+                       "actuators of sites act where dRobotAddForces is called before a step");
+    return true;
+}
+
+bool Mjcf::find_body(const Attributes& a, Actuator& actuator)
+{
+    const std::string name = a.element().text("body");
+    actuator.adhesive_link = model_.link_named(name);
+    if (actuator.adhesive_link < 0)
+        return reading_.error(a.element(), "there is no body '" + name + "'"), false;
+    reading_.note_once(Note::kChanged, a.element(),
+                       "adhesion acts where dRobotAddForces is called before a step, at the contacts of the "
+                       "step before");
+    return true;
 }
 
 // Of a ball's: the gear is along the link's axes. A servo along one of them alone is a drive's.
@@ -62,6 +100,11 @@ void Mjcf::read_gains(const Attributes& a, Actuator& actuator)
         read_cylinder(a, actuator);
     } else if (actuator.kind == "muscle") {
         read_muscle(a, actuator);
+    } else if (actuator.kind == "adhesion") {
+        number(a, "gain", actuator.gain);
+        if (actuator.gain < 0 || !(actuator.low >= 0))
+            reading_.error(a.element(), "the adhesion of '" + a.element().text("body") +
+                                            "' has a gain below 0, or no ctrlrange from 0 or more");
     } else if (actuator.kind == "damper") {
         actuator.gain = 0;
         number(a, "kv", kv), actuator.gain_velocity = -(a.has("kv") ? kv : 1);
@@ -240,6 +283,8 @@ double Mjcf::acceleration_of(const Actuator& actuator)
 std::vector<double> Mjcf::moment_of(const Actuator& actuator)
 {
     std::vector<double> moment(masses().size(), 0);
+    if (actuator.wrench.link >= 0)
+        return wrench_moments(model_, reference_positions(model_), actuator.wrench);
     if (actuator.joint >= 0)
         moment[size_t(velocity_of(model_, actuator.joint))] = 1;
     else
@@ -254,13 +299,14 @@ void Mjcf::read_actuator(const Attributes& a)
     actuator.name = a.element().text("name"), actuator.kind = a.element().name(),
     actuator.line = a.element().line();
     const std::string& kind = actuator.kind;
-    static const std::set<std::string> known{"motor",    "position",    "velocity", "general",
-                                             "cylinder", "intvelocity", "muscle",   "damper"};
+    static const std::set<std::string> known{"motor",       "position", "velocity", "general", "cylinder",
+                                             "intvelocity", "muscle",   "damper",   "adhesion"};
     if (!known.count(kind)) return reading_.note(Note::kIgnored, a.element(), "an actuator <" + kind + ">");
     if (!find_target(a, actuator)) return;
     std::vector<double> values;
     if (list(a, "gear", 1, 6, values)) actuator.gear = values[0];
-    if (length(actuator.direction) > 0) actuator.gear = 1;
+    if (length(actuator.direction) > 0 || actuator.wrench.link >= 0 || actuator.adhesive_link >= 0)
+        actuator.gear = 1;
     if (list(a, "ctrlrange", 2, 2, values) && is_limited(a, "ctrllimited", "ctrlrange"))
         actuator.low = values[0], actuator.high = values[1];
     if (list(a, "forcerange", 2, 2, values) && is_limited(a, "forcelimited", "forcerange"))
@@ -412,12 +458,71 @@ void Mjcf::read_equalities(const Element& section)
     }
 }
 
+// A geom that touches nothing by itself is no look any more.
+bool Mjcf::find_touching(const Element& element, const char* attribute, int& link)
+{
+    const std::string name = element.text(attribute);
+    if (shape_named(model_, name, link)) return true;
+    for (link = 0; link < int(model_.links.size()); ++link) {
+        Link& its = model_.links[size_t(link)];
+        const auto found = std::find_if(its.visuals.begin(), its.visuals.end(), [&](const Shape& shape) {
+            return !name.empty() && shape.name == name;
+        });
+        if (found == its.visuals.end()) continue;
+        its.shapes.push_back(*found), its.visuals.erase(found);
+        return true;
+    }
+    reading_.error(element, "a pair of the geoms '" + element.text("geom1") + "' and '" +
+                                element.text("geom2") + "'; one is not there");
+    return false;
+}
+
+void Mjcf::read_pair(const Attributes& a)
+{
+    const Element& element = a.element();
+    ShapePair pair;
+    pair.name = element.text("name"), pair.line = element.line();
+    pair.shape1 = element.text("geom1"), pair.shape2 = element.text("geom2");
+    int one = 0, two = 0;
+    if (!touches_ || !find_touching(element, "geom1", one) || !find_touching(element, "geom2", two)) return;
+    read_pair_friction(a, pair);
+    read_softness(a, {"solref", "solimp"}, pair.softness);
+    for (const char* soft : {"solref", "solimp", "solreffriction", "margin", "gap"})
+        if (a.has(soft)) reading_.note_once(Note::kApproximated, element, std::string("pair ") + soft);
+    if (are_kept_apart(model_, one, two))
+        return reading_.note(Note::kIgnored, element,
+                             "the pair of '" + pair.shape1 + "' and '" + pair.shape2 +
+                                 "', which are of one body, of two that a joint connects, or of two that are "
+                                 "excluded: such do not touch");
+    model_.pairs.push_back(pair);
+}
+
+// Two coefficients of sliding, one of torsion, two of rolling.
+void Mjcf::read_pair_friction(const Attributes& a, ShapePair& pair)
+{
+    std::vector<double> values;
+    std::array<double, 5> its{1, 1, 0.005, 0.0001, 0.0001};
+    if (list(a, "friction", 1, 5, values))
+        for (size_t i = 0; i < values.size(); ++i) its[i] = std::max(0.0, values[i]);
+    double condim = 3;
+    number(a, "condim", condim);
+    pair.dimensions = condim >= 6 ? 6 : condim >= 4 ? 4 : 3;
+    pair.friction = condim == 1 ? 0 : its[0];
+    pair.torsional_friction = its[2], pair.rolling_friction = its[3];
+    if (condim > 1 && its[0] != its[1])
+        reading_.note(Note::kApproximated, a.element(),
+                      "the pair of '" + pair.shape1 + "' and '" + pair.shape2 +
+                          "' has two coefficients of sliding: the first counts in all directions");
+    if (pair.dimensions == 4)
+        reading_.note_once(Note::kApproximated, a.element(),
+                           "condim 4: only batches have friction of torsion alone");
+}
+
 void Mjcf::read_contacts(const Element& section)
 {
     for (const Element& element : expand(section)) {
         if (element.name() == "pair") {
-            reading_.note_once(Note::kApproximated, element,
-                               "pairs of geoms have the friction of their geoms");
+            read_pair(defaults_.of(element, "", reading_));
             continue;
         }
         if (element.name() != "exclude") continue;
@@ -475,7 +580,9 @@ void Mjcf::read_sensors(const Element& section)
             reading_.note_once(Note::kIgnored, element,
                                "sensors of kind <" + sensor.kind + "> are listed, not computed");
         if (sensor.kind == "touch")
-            reading_.note_once(Note::kApproximated, element, "a touch sensor feels its whole link");
+            reading_.note_once(
+                Note::kApproximated, element,
+                "a touch sensor of a site without a size feels its whole link, in a batch every one");
     }
 }
 

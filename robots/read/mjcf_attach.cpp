@@ -6,6 +6,7 @@
 // refers to something that is left behind is left behind too, as in MuJoCo.
 #include <algorithm>
 
+#include "robots/pairs.h"
 #include "robots/read/mjcf.h"
 
 namespace epode::robots {
@@ -116,6 +117,12 @@ void take_equalities(RobotModel& model, const Moved& moved)
         closure.name = moved.name(closure.name);
         if (closure.link1 >= 0 && closure.link2 >= 0) model.closures.push_back(closure);
     }
+    for (ShapePair pair : moved.other.pairs) {
+        for (std::string* name : {&pair.name, &pair.shape1, &pair.shape2}) *name = moved.name(*name);
+        int link = 0;
+        if (shape_named(model, pair.shape1, link) && shape_named(model, pair.shape2, link))
+            model.pairs.push_back(pair);
+    }
     for (auto pair : moved.other.excluded) {
         for (int& link : pair) link = moved.links[size_t(link)];
         if (pair[0] >= 0 && pair[1] >= 0) model.excluded.push_back(pair);
@@ -127,11 +134,16 @@ std::vector<bool> take_actuators(RobotModel& model, const Moved& moved)
 {
     std::vector<bool> out;
     for (Actuator actuator : moved.other.actuators) {
-        if (actuator.joint >= 0)
-            actuator.joint = moved.joint(actuator.joint);
-        else
-            actuator.tendon = moved.tendons[size_t(actuator.tendon)];
-        out.push_back(actuator.joint >= 0 || actuator.tendon >= 0);
+        SiteWrench& wrench = actuator.wrench;
+        const bool has_reference = wrench.reference_link >= 0;
+        if (wrench.link >= 0) moved.move(wrench.link, wrench.pose);
+        if (has_reference) moved.move(wrench.reference_link, wrench.reference);
+        if (has_reference && wrench.reference_link < 0) wrench.link = -1;
+        if (actuator.adhesive_link >= 0) actuator.adhesive_link = moved.links[size_t(actuator.adhesive_link)];
+        if (actuator.tendon >= 0) actuator.tendon = moved.tendons[size_t(actuator.tendon)];
+        actuator.joint = moved.joint(actuator.joint);
+        out.push_back(actuator.joint >= 0 || actuator.tendon >= 0 || wrench.link >= 0 ||
+                      actuator.adhesive_link >= 0);
         actuator.name = moved.name(actuator.name);
         if (out.back()) model.actuators.push_back(actuator);
     }

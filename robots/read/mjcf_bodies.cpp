@@ -124,7 +124,7 @@ void Mjcf::read_own(const std::vector<Element>& children, const Scope& scope, In
         } else if (name == "geom") {
             read_geom(attributes, scope, of_geoms);
         } else if (name == "site") {
-            model_.frames.push_back({child.text("name"), scope.link, scope.pose * pose_of(attributes)});
+            read_site(attributes, scope);
         } else if (name == "camera") {
             read_camera(attributes, scope);
         } else {
@@ -180,6 +180,31 @@ void Mjcf::read_inertial(const Attributes& attributes, const Pose& frame, Inerti
 }
 
 // A <freejoint> has no defaults; a <joint> of this type may have an armature, as all others.
+// A zone where it says its size; MuJoCo's default, a sphere of 5 mm, hardly ever meets a contact, so that its sensor feels the link.
+void Mjcf::read_site(const Attributes& a, const Scope& scope)
+{
+    static const std::map<std::string, ShapeKind> kinds{{"sphere", ShapeKind::kSphere},
+                                                        {"box", ShapeKind::kBox},
+                                                        {"capsule", ShapeKind::kCapsule},
+                                                        {"cylinder", ShapeKind::kCylinder},
+                                                        {"ellipsoid", ShapeKind::kEllipsoid}};
+    Frame frame{a.element().text("name"), scope.link, pose_of(a)};
+    const auto kind = kinds.find(a.text("type"));
+    if (kind != kinds.end()) frame.zone = kind->second;
+    std::vector<double> size{0.005, 0.005, 0.005}, ends;
+    list(a, "size", 1, 3, size);
+    size.resize(3, size.back());
+    if (list(a, "fromto", 6, 6, ends)) {
+        const Vec from{ends[0], ends[1], ends[2]}, to{ends[3], ends[4], ends[5]};
+        frame.pose = {0.5 * (from + to), turn_of_z(from - to)};
+        (is_round(frame.zone) ? size[1] : size[2]) = length(to - from) / 2;
+    }
+    if (a.has("size") || a.has("fromto"))
+        frame.size = {std::fabs(size[0]), std::fabs(size[1]), std::fabs(size[2])};
+    frame.pose = scope.pose * frame.pose;
+    model_.frames.push_back(frame);
+}
+
 void Mjcf::read_free_joint(const Attributes& a, const Scope& scope)
 {
     const Element& element = a.element();

@@ -112,11 +112,13 @@ void Mjcf::read_tendon(const Attributes& a, Tendon& tendon)
         }
     }
     coefficient(a, "stiffness", tendon.stiffness), coefficient(a, "damping", tendon.damping);
+    number(a, "frictionloss", tendon.friction), number(a, "armature", tendon.armature);
+    if (tendon.friction < 0 || tendon.armature < 0)
+        reading_.error(element, "the tendon '" + tendon.name + "' has a negative frictionloss or armature");
     double value = 0;
-    for (const char* name : {"frictionloss", "armature", "margin"})
-        if (number(a, name, value) && value != 0)
-            reading_.note_once(Note::kIgnored, element, std::string("tendon ") + name);
-    for (const char* name : {"solreflimit", "solimplimit"})
+    if (number(a, "margin", value) && value != 0)
+        reading_.note_once(Note::kApproximated, element, "tendon margin");
+    for (const char* name : {"solreflimit", "solimplimit", "solreffriction", "solimpfriction"})
         if (a.has(name)) reading_.note_once(Note::kApproximated, element, std::string("tendon ") + name);
 }
 

@@ -31,14 +31,14 @@ void write_corners(Node asset, const Mesh& mesh)
     set(asset, "vertex", list_text(vertices)), set(asset, "face", list_text(faces));
 }
 
-void write_softness(Node node, const char* reference, const char* impedance, const Softness& s)
+}  // namespace
+
+void MjcfWriter::write_softness(Node node, const char* reference, const char* impedance, const Softness& s)
 {
     if (!s.stated) return;
     set(node, reference, list_text({s.time, s.ratio}));
     set(node, impedance, list_text({s.low, s.high, s.width, s.middle, s.power}));
 }
-
-}  // namespace
 
 bool MjcfWriter::is_near(const Pose& a, const Pose& b)
 {
@@ -72,6 +72,7 @@ void MjcfWriter::write_option(Node option)
     if (medium.density != 0) set(option, "density", medium.density);
     if (medium.viscosity != 0) set(option, "viscosity", medium.viscosity);
     if (length(medium.wind) > 0) set(option, "wind", text_of(medium.wind));
+    if (length(model_.magnetic - Vec{0, -0.5, 0}) > 0) set(option, "magnetic", text_of(model_.magnetic));
 }
 
 void MjcfWriter::write_meshes()
@@ -262,6 +263,7 @@ void MjcfWriter::write_bodies()
         frames_.push_back(frame.name.empty() ? "" : sites_.unique(frame.name, "site", i));
         if (!frames_[i].empty()) set(site, "name", frames_[i]);
         write_pose(site, frame.pose);
+        write_zone(site, frame);
     }
 }
 
@@ -274,6 +276,13 @@ void MjcfWriter::write_cameras()
         write_pose(its, camera.frame.pose);
         set(its, "fovy", camera.field * 180 / kPi);
     }
+}
+
+// None is one of zero size, which reads as none.
+void MjcfWriter::write_zone(Node site, const Frame& frame)
+{
+    if (!(frame.size.x > 0)) return;
+    set(site, "type", name_of(frame.zone)), set(site, "size", text_of(frame.size));
 }
 
 // A frame of the model that is there (by its place: turned anyhow), or a site made for it.

@@ -20,6 +20,7 @@ using Node = pugi::xml_node;
 std::string kind_of(const Actuator& a)
 {
     if (a.muscle.acts) return "muscle";
+    if (a.kind == "adhesion") return a.kind;
     const bool is_plain = a.bias == 0 && a.activation.empty() && a.gain_position == 0 && a.gain_velocity == 0;
     if (a.kind == "position" && is_plain && a.gain == a.bias_position) return a.kind;
     if (a.kind == "velocity" && is_plain && a.gain == a.bias_velocity && a.bias_position == 0) return a.kind;
@@ -115,6 +116,8 @@ void MjcfWriter::write_tendon(const Tendon& tendon, const std::string& name)
     if (is_limited) set(its, "range", range_of(tendon.low, tendon.high));
     if (tendon.stiffness != 0) set(its, "stiffness", tendon.stiffness);
     if (tendon.damping != 0) set(its, "damping", tendon.damping);
+    if (tendon.friction != 0) set(its, "frictionloss", tendon.friction);
+    if (tendon.armature != 0) set(its, "armature", tendon.armature);
     if (tendon.has_rest) set(its, "springlength", range_of(tendon.rest, tendon.rest_high));
     for (const PathPart& part : tendon.path) write_part(its, part);
     for (const Coupling::Term& term : tendon.terms) {
@@ -130,6 +133,7 @@ void MjcfWriter::write_tendons()
 
 void MjcfWriter::write_gains(Node actuator, const Actuator& from, const std::string& kind)
 {
+    if (kind == "adhesion") set(actuator, "gain", from.gain);
     if (kind == "position") set(actuator, "kp", from.gain);
     if (kind == "position" || kind == "velocity") set(actuator, "kv", from.bias_velocity);
     if (kind == "muscle") {
@@ -151,26 +155,58 @@ void MjcfWriter::write_gains(Node actuator, const Actuator& from, const std::str
     set(actuator, "biasprm", list_text({from.bias, -from.bias_position, -from.bias_velocity}));
 }
 
+void MjcfWriter::write_target(Node node, const Actuator& actuator)
+{
+    const SiteWrench& wrench = actuator.wrench;
+    if (actuator.joint >= 0) set(node, "joint", joints_[size_t(actuator.joint)]);
+    if (actuator.tendon >= 0) set(node, "tendon", tendons_[size_t(actuator.tendon)]);
+    if (actuator.adhesive_link >= 0) set(node, "body", links_[size_t(actuator.adhesive_link)]);
+    if (wrench.link < 0) return;
+    set(node, "site", site_at(wrench.link, wrench.pose));
+    if (wrench.reference_link >= 0) set(node, "refsite", site_at(wrench.reference_link, wrench.reference));
+    set(node, "gear", text_of(wrench.force) + " " + text_of(wrench.torque));
+}
+
 void MjcfWriter::write_actuators()
 {
     for (const Actuator& actuator : model_.actuators) {
         const std::string kind = kind_of(actuator);
         Node its = section("actuator").append_child(kind.c_str());
         name_it(its, actuator_names_, actuator.name);
-        if (actuator.joint >= 0) set(its, "joint", joints_[size_t(actuator.joint)]);
-        if (actuator.joint < 0) set(its, "tendon", tendons_[size_t(actuator.tendon)]);
+        write_target(its, actuator);
         if (length(actuator.direction) > 0)
             set(its, "gear", text_of(actuator.direction) + " 0 0 0");
-        else
+        else if (actuator.wrench.link < 0 && actuator.adhesive_link < 0)
             set(its, "gear", actuator.gear);
         const bool clamps_control = std::isfinite(actuator.low) || std::isfinite(actuator.high),
                    clamps_force = std::isfinite(actuator.force_low) || std::isfinite(actuator.force_high);
-        set(its, "ctrllimited", yes(clamps_control)), set(its, "forcelimited", yes(clamps_force));
+        if (kind != "adhesion") set(its, "ctrllimited", yes(clamps_control));  // which always is
+        set(its, "forcelimited", yes(clamps_force));
         if (clamps_control) set(its, "ctrlrange", range_of(actuator.low, actuator.high));
         if (clamps_force) set(its, "forcerange", range_of(actuator.force_low, actuator.force_high));
         write_gains(its, actuator, kind);
         for (const auto& [name, text] : actuator.activation) set(its, name.c_str(), text);
     }
+}
+
+std::string MjcfWriter::written_geom(const std::string& name) const
+{
+    for (size_t i = 0; i < model_.links.size(); ++i)
+        for (size_t k = 0; k < model_.links[i].shapes.size(); ++k)
+            if (model_.links[i].shapes[k].name == name) return geom_names_[i][k];
+    return name;
+}
+
+void MjcfWriter::write_pair(const ShapePair& pair)
+{
+    Node its = section("contact").append_child("pair");
+    name_it(its, pair_names_, pair.name);
+    set(its, "geom1", written_geom(pair.shape1)), set(its, "geom2", written_geom(pair.shape2));
+    set(its, "condim", pair.dimensions > 3 || pair.friction > 0 ? pair.dimensions : 1);
+    set(its, "friction",
+        list_text({pair.friction, pair.friction, pair.torsional_friction, pair.rolling_friction,
+                   pair.rolling_friction}));
+    write_softness(its, "solref", "solimp", pair.softness);
 }
 
 void MjcfWriter::write_contacts_and_keys()
@@ -179,6 +215,7 @@ void MjcfWriter::write_contacts_and_keys()
         Node its = section("contact").append_child("exclude");
         set(its, "body1", links_[size_t(pair[0])]), set(its, "body2", links_[size_t(pair[1])]);
     }
+    for (const ShapePair& pair : model_.pairs) write_pair(pair);
     for (const auto& pair : model_.excluded_still) {
         Node its = section("contact").append_child("exclude");
         set(its, "body1", links_[size_t(pair[0])]), set(its, "body2", still_[size_t(pair[1]) - 1]);
@@ -206,7 +243,8 @@ void MjcfWriter::write_sensors()
                               ? Sensed{sensor.attribute, sensor.object_type, sensor.object}
                           : of_frame ? frame_object(sensor.kind, sensor.object_type, sensor.object)
                                      : joint_object(sensor);
-        if (on.attribute.empty()) {
+        const bool is_whole = values_of_energy(sensor.kind) > 0;  // the robot's
+        if (on.attribute.empty() && !is_whole) {
             losses_.add("sensors of kind <" + sensor.kind + "> on '" + sensor.object + "' are not written");
             continue;
         }
@@ -218,7 +256,7 @@ void MjcfWriter::write_sensors()
             set(element, "objtype", "sensor"), set(element, "objname", its.attribute("name").value());
         }
         if (!on.type.empty()) set(its, "objtype", on.type);
-        set(its, on.attribute.c_str(), on.object);
+        if (!is_whole) set(its, on.attribute.c_str(), on.object);
         write_reference(its, sensor);
         if (is_force && !sensor.is_on_child)
             losses_.add(
@@ -238,7 +276,10 @@ void MjcfWriter::write_reference(Node its, const Sensor& sensor) const
 
 MjcfWriter::Sensed MjcfWriter::joint_object(const Sensor& sensor) const
 {
-    if (sensor.kind == "actuatorfrc") return {"actuator", "", sensor.object};
+    if (sensor.kind.starts_with("actuator")) return {"actuator", "", sensor.object};
+    if (const int tendon = model_.tendon_named(sensor.object);
+        sensor.kind.starts_with("tendon") && tendon >= 0)
+        return {"tendon", "", tendons_[size_t(tendon)]};
     const int joint = model_.joint_named(sensor.object);
     if (values_of_joint_sensor(sensor.kind) == 0 || joint < 0) return {};
     return {"joint", "", joints_[size_t(joint)]};

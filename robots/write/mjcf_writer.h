@@ -30,6 +30,7 @@ class MjcfWriter {
     void write_meshes();
     void write_fields();
     void write_bodies();
+    void write_zone(Node site, const Frame& frame);
     void write_pose(Node node, const Pose& pose);
     void write_inertial(Node body, const Link& link);
     void write_joint(Node body, size_t number);
@@ -45,8 +46,12 @@ class MjcfWriter {
     std::string surface_of(const PathPart& part);
     void write_tendon_equality(const Coupling& coupling);
     void write_actuators();
+    void write_target(Node actuator, const Actuator& from);
     void write_gains(Node actuator, const Actuator& from, const std::string& kind);
     void write_contacts_and_keys();
+    void write_pair(const ShapePair& pair);
+    std::string written_geom(const std::string& name) const;
+    static void write_softness(Node node, const char* reference, const char* impedance, const Softness& s);
     // The attribute that names what a sensor is on, its type, and the name; no attribute: not to be said.
     struct Sensed {
         std::string attribute, type, object;
@@ -69,7 +74,8 @@ class MjcfWriter {
     std::vector<std::string> links_, joints_, tendons_;
     std::vector<Node> bodies_, still_bodies_;
     std::vector<std::string> still_;  // names of what stands apart
-    Names sites_, geoms_, tendon_names_, equality_names_, actuator_names_, key_names_, sensor_names_;
+    Names sites_, geoms_, tendon_names_, equality_names_, actuator_names_, key_names_, sensor_names_,
+        pair_names_;
     std::vector<std::string> frames_;                   // names of the model's, as written
     std::vector<std::vector<std::string>> geom_names_;  // by link: of what touches, then of looks
     Losses losses_;

@@ -266,7 +266,7 @@ void UrdfWriter::write_motors()
 {
     for (const Actuator& motor : model_.actuators) {
         if (motor.joint < 0) {
-            losses_.add("actuators of tendons are not in URDF");
+            losses_.add("actuators of tendons, sites and bodies are not in URDF");
             continue;
         }
         const std::string& joint = joints_[size_t(motor.joint)];
@@ -284,6 +284,7 @@ void UrdfWriter::write_motors()
 void UrdfWriter::note_losses()
 {
     const RobotModel& m = model_;
+    if (!m.pairs.empty()) losses_.add("contacts of single pairs of geoms are not in URDF");
     if (!m.closures.empty()) losses_.add("loops are not in URDF");
     if (!m.tendons.empty()) losses_.add("tendons are not in URDF");
     if (!m.cameras.empty()) losses_.add("cameras are not in URDF");

@@ -61,6 +61,7 @@ class Models : Comparison {
              [&](const std::string& what, const Frame& a, const Frame& b) {
                  same(what, a.name, b.name), same(what, a.link, b.link), same(what, a.pose, b.pose);
              });
+        zones();
         relations();
         actuators();
         same("gravity", a_.gravity, b_.gravity);
@@ -77,6 +78,17 @@ class Models : Comparison {
         std::stable_sort(frames.begin(), frames.end(),
                          [](const Frame& x, const Frame& y) { return x.name < y.name; });
         return frames;
+    }
+
+    // URDF has no words for them.
+    void zones()
+    {
+        if (a_.format != b_.format) return;
+        each("zones", named(a_.frames), named(b_.frames),
+             [&](const std::string& what, const Frame& a, const Frame& b) {
+                 same(what + " zone", int(a.zone), int(b.zone)), same(what + " zone's size", a.size, b.size);
+             });
+        same("magnetic", a_.magnetic, b_.magnetic);
     }
 
     void link(const std::string& what, const Link& a, const Link& b)
@@ -210,6 +222,8 @@ class Models : Comparison {
                      same(what + " high", a.high, b.high);
                  same(what + " stiffness", a.stiffness, b.stiffness),
                      same(what + " damping", a.damping, b.damping);
+                 same(what + " friction", a.friction, b.friction),
+                     same(what + " armature", a.armature, b.armature);
                  same(what + " has a rest", a.has_rest, b.has_rest), same(what + " rest", a.rest, b.rest);
                  same(what + " rest", a.rest_high, b.rest_high);
                  each(what + " path", a.path, b.path,
@@ -226,6 +240,15 @@ class Models : Comparison {
              [&](const std::string& what, const auto& a, const auto& b) {
                  same(what, a[0], b[0]), same(what, a[1], b[1]);
              });
+        each("pairs", a_.pairs, b_.pairs,
+             [&](const std::string& what, const ShapePair& a, const ShapePair& b) {
+                 same(what, a.name, b.name), same(what, a.shape1, b.shape1), same(what, a.shape2, b.shape2);
+                 same(what + " friction", a.friction, b.friction);
+                 same(what + " torsional friction", a.torsional_friction, b.torsional_friction);
+                 same(what + " rolling friction", a.rolling_friction, b.rolling_friction);
+                 same(what + " dimensions", a.dimensions, b.dimensions),
+                     softness(what, a.softness, b.softness);
+             });
         each("starts", a_.starts, b_.starts, [&](const std::string& what, const Start& a, const Start& b) {
             same(what, a.name, b.name);
             each(what, a.positions, b.positions,
@@ -241,6 +264,12 @@ class Models : Comparison {
              [&](const std::string& what, const Actuator& a, const Actuator& b) {
                  if (!a.name.empty()) same(what, a.name, b.name);
                  same(what + " joint", a.joint, b.joint), same(what + " tendon", a.tendon, b.tendon);
+                 const SiteWrench &x = a.wrench, &y = b.wrench;
+                 same(what + " site's link", x.link, y.link), same(what + " site", x.pose, y.pose);
+                 same(what + " reference's link", x.reference_link, y.reference_link);
+                 same(what + " reference", x.reference, y.reference);
+                 same(what + " force", x.force, y.force), same(what + " torque", x.torque, y.torque);
+                 same(what + " adhesive link", a.adhesive_link, b.adhesive_link);
                  same(what + " gear", a.gear, b.gear), same(what + " gain", a.gain, b.gain),
                      same(what + " bias", a.bias, b.bias);
                  same(what + " bias of position", a.bias_position, b.bias_position);

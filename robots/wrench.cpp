@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See wrench.h.
+#include "robots/wrench.h"
+
+#include <cmath>
+
+namespace epode::robots {
+
+namespace {
+
+// The last link that both hang on, themselves counted.
+int common_link(const RobotModel& model, int one, int two)
+{
+    while (one != two) (one > two ? one : two) = model.links[size_t(one > two ? one : two)].parent;
+    return one;
+}
+
+Vec rotation_vector(Quat q)
+{
+    const Vec axis{q.x, q.y, q.z};
+    const double sine = length(axis);
+    if (sine < 1e-15) return {};
+    const double angle = 2 * std::atan2(sine, q.w);
+    return ((angle > kPi ? angle - 2 * kPi : angle) / sine) * axis;
+}
+
+Pose placed(int link, const Pose& at, const std::vector<Pose>& poses) { return poses[size_t(link)] * at; }
+
+}  // namespace
+
+std::vector<LinkLoad> loads_of(const RobotModel& model, const SiteWrench& wrench,
+                               const std::vector<Pose>& poses)
+{
+    const Pose site = placed(wrench.link, wrench.pose, poses);
+    if (wrench.reference_link < 0)
+        return {{wrench.link, site.p, rotate(site.q, wrench.force), rotate(site.q, wrench.torque)}};
+    const Pose from = placed(wrench.reference_link, wrench.reference, poses);
+    const Vec f = rotate(from.q, wrench.force), t = rotate(from.q, wrench.torque);
+    const int common = common_link(model, wrench.link, wrench.reference_link);
+    return {{wrench.link, site.p, f, t},
+            {wrench.reference_link, from.p, -f, -t},
+            {common, from.p, {}, -cross(site.p - from.p, f)}};
+}
+
+double length_of(const SiteWrench& wrench, const std::vector<Pose>& poses)
+{
+    if (wrench.reference_link < 0) return 0;
+    const Pose at = inverse(placed(wrench.reference_link, wrench.reference, poses)) *
+                    placed(wrench.link, wrench.pose, poses);
+    return dot(wrench.force, at.p) + dot(wrench.torque, rotation_vector(at.q));
+}
+
+std::vector<double> wrench_moments(const RobotModel& model, const std::vector<double>& positions,
+                                   const SiteWrench& wrench)
+{
+    PointForces forces(model, positions);
+    for (const LinkLoad& load : loads_of(model, wrench, forces.poses())) {
+        forces.add(load.link, load.point, load.force);
+        forces.add_torque(load.link, load.torque);
+    }
+    return forces.along_velocities();
+}
+
+}  // namespace epode::robots

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A robot of a text in a world that manages its contacts, stepped with all that acts from step to step.
+#pragma once
+
+#include <epode/robot_sensors.h>
+#include <epode/robots.h>
+#include <gtest/gtest.h>
+#include <ode/ext.h>
+
+#include <string>
+#include <vector>
+
+class RobotInContact : public testing::Test {
+  protected:
+    RobotInContact()
+    {
+        dInitODE2(0);
+        world = dWorldCreate();
+        space = dHashSpaceCreate(nullptr);
+        dWorldSetContactSpace(world, space);
+    }
+    ~RobotInContact() override
+    {
+        drop();
+        dSpaceDestroy(space);
+        dWorldDestroy(world);
+        dCloseODE();
+    }
+    void load(const std::string& text)
+    {
+        drop();
+        model = dRobotModelLoadText("robot.xml", text.data(), text.size(), nullptr);
+        ASSERT_EQ(dRobotModelHasErrors(model), 0);
+        robot = dRobotCreate(world, space, model, nullptr, nullptr);
+        ASSERT_NE(robot, nullptr);
+    }
+    void step(int count, double h = 0.002)
+    {
+        for (int i = 0; i < count; ++i) {
+            dRobotAddForces(robot, dReal(h));
+            dWorldStep(world, dReal(h));
+            dRobotUpdateSensors(robot, dReal(h));
+        }
+    }
+    std::vector<double> sensor(int number)
+    {
+        dReal values[8];
+        const int count = dRobotReadSensor(robot, number, space, values, 8);
+        return {values, values + count};
+    }
+    std::vector<double> velocities()
+    {
+        std::vector<dReal> out(size_t(dRobotModelGetNumVelocities(model)));
+        dRobotGetVelocities(robot, out.data(), int(out.size()));
+        return {out.begin(), out.end()};
+    }
+
+    dWorldID world;
+    dSpaceID space;
+    dRobotModelID model = nullptr;
+    dRobotID robot = nullptr;
+
+  private:
+    void drop()
+    {
+        if (robot) dRobotDestroy(robot);
+        if (model) dRobotModelDestroy(model);
+        robot = nullptr, model = nullptr;
+    }
+};
