@@ -43,7 +43,7 @@ class Prepared {
     dHeightfieldDataID heights(int field) const { return heights_[size_t(field)]; }
     dTriMeshDataID triangles(int mesh) const { return triangles_[size_t(mesh)]; }
     const Springs& springs() const { return springs_; }
-    const PairPlan& pairs() const { return pairs_; }
+    const PairMaterials& pairs() const { return pairs_; }
     // Of tendons the lengths between which their springs rest.
     const std::vector<std::array<double, 2>>& rests() const { return rests_; }
     const std::vector<std::array<int, 2>>& overlapping() const { return overlapping_; }
@@ -57,7 +57,7 @@ class Prepared {
 
     RobotModel model_;
     Springs springs_;
-    PairPlan pairs_;
+    PairMaterials pairs_;
     std::vector<std::array<double, 2>> rests_;
     std::vector<std::vector<Hull>> hulls_;
     std::vector<Fit> fits_;
@@ -192,6 +192,7 @@ class Robot {
     double wrench_force(size_t actuator, double stepsize) const;
     int add_wrenches(double stepsize);
     int add_adhesion();
+    int add_free_drag(double stepsize);  // free_drag.cpp
     static void adhere(dBodyID body, double force, const std::vector<dWorldContact>& contacts);
     struct Pull;  // of a spatial tendon
     std::vector<Pull> pulls(double stepsize) const;

@@ -70,7 +70,7 @@ std::vector<std::string> Robot::not_built(const RobotModel& model)
     for (const Tendon& tendon : model.tendons)
         if (tendon.path.empty() && !can_couple(model, tendon.terms))
             out.push_back(line("the tendon '" + tendon.name + "'", tendon.line));
-    if (const int left = PairPlan(model).left_out(); left > 0)
+    if (const int left = PairMaterials(model).left_out(); left > 0)
         out.push_back("a contact of its own of " + std::to_string(left) +
                       " pairs of geoms, of more than a world has numbers for, is not built");
     for (const auto& pair : model.excluded_still)

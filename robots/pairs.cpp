@@ -53,7 +53,7 @@ bool are_kept_apart(const RobotModel& model, int one, int two)
     });
 }
 
-PairPlan::PairPlan(const RobotModel& model)
+PairMaterials::PairMaterials(const RobotModel& model)
 {
     std::map<std::string, int> counts;
     for (const ShapePair& pair : model.pairs) ++counts[pair.shape1], ++counts[pair.shape2];
@@ -79,7 +79,7 @@ PairPlan::PairPlan(const RobotModel& model)
     }
 }
 
-const PairRules* PairPlan::of(const Shape& shape) const
+const PairRules* PairMaterials::of(const Shape& shape) const
 {
     const auto found = rules_.find(&shape);
     return found == rules_.end() ? nullptr : &found->second;

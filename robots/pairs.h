@@ -19,9 +19,9 @@ struct PairRules {  // of one shape
     std::vector<std::array<int, 2>> materials;  // number, and the pair that says it
 };
 
-class PairPlan {
+class PairMaterials {
   public:
-    explicit PairPlan(const RobotModel& model);
+    explicit PairMaterials(const RobotModel& model);
     // Null: no pair has it.
     const PairRules* of(const Shape& shape) const;
     // Pairs for which there were no more numbers or bits.

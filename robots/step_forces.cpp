@@ -213,15 +213,15 @@ double Robot::drag(const Pull& pull, double h)
 {
     if (!has_past(pull.tendon) || !(pull.inverse > 0)) return 0;
     const Tendon& tendon = model().tendons[size_t(pull.tendon)];
-    const double b = tendon.armature, most = tendon.friction, inverse = pull.inverse;
+    const double b = tendon.armature, largest = tendon.friction, inverse = pull.inverse;
     Past& past = pasts_[size_t(pull.tendon)];
     const double acceleration = past.is_known ? (pull.rate - past.rate) / h : 0;
     const double inertia =
         past.is_known ? -b * ((1 - b * inverse) * acceleration - inverse * past.inertia) : 0;
     const double stop = pull.rate / (h * pull.sum);
-    past.hold = std::clamp(past.hold - stop, -most, most);
+    past.hold = std::clamp(past.hold - stop, -largest, largest);
     past.rate = pull.rate, past.inertia = inertia, past.is_known = true;
-    return inertia + std::clamp(past.hold - stop, -most, most);
+    return inertia + std::clamp(past.hold - stop, -largest, largest);
 }
 
 // S of those that need it.
@@ -401,8 +401,8 @@ int Robot::add_forces(double h)
 {
     const int filters = move_filters(h);
     move_muscles();
-    return filters + add_tendon_forces(h) + add_wrenches(h) + add_adhesion() + add_fluid_forces(h) +
-           add_lifts();
+    return filters + add_tendon_forces(h) + add_wrenches(h) + add_adhesion() + add_free_drag(h) +
+           add_fluid_forces(h) + add_lifts();
 }
 
 }  // namespace epode::robots

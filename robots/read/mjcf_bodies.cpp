@@ -221,9 +221,13 @@ void Mjcf::read_free_joint(const Attributes& a, const Scope& scope)
         reading_.note_once(Note::kChanged, element,
                            "frames of free bodies are the file's, not aligned with inertias");
     read_passive(a, joint);
-    if (joint.armature > 0 || joint.damping > 0 || joint.friction > 0 || joint.stiffness > 0)
+    if (joint.armature > 0 || joint.stiffness > 0)
         reading_.note(Note::kApproximated, element,
-                      "armature, damping, friction or stiffness of a free joint: a world's body has none");
+                      "armature or stiffness of a free joint: a world's body has none");
+    if (joint.damping > 0 || joint.friction > 0)
+        reading_.note_once(
+            Note::kChanged, element,
+            "damping and friction of free joints act where dRobotAddForces is called before a step");
     link.joints.push_back(int(model_.joints.size()));
     model_.joints.push_back(joint);
 }

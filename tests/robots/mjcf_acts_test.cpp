@@ -137,4 +137,29 @@ TEST_F(MjcfActs, a_violated_limit_does_not_throw_the_faster_the_smaller_the_step
     }
 }
 
+// v = exp(-d t / m) of its centre and exp(-d t / I) of its turn; friction takes f t / m off, and holds what it stops.
+TEST_F(MjcfActs, dampers_and_friction_of_a_free_joint_brake_a_ball_as_in_closed_form)
+{
+    const double mass = 2, moment = 0.4 * mass * 0.01, damping = 0.02, friction = 0.01, t = 0.5;
+    const dReal v[6] = {1, -2, 0, 0, 0, 3};
+    const auto after = [&](const std::string& words) {
+        load("<mujoco><worldbody><body><joint type='free' " + words +
+             "/><geom size='0.1' mass='2'/></body></worldbody></mujoco>");
+        dRobotSetVelocities(robot, v, 6);
+        for (int i = 0; i < 5000; ++i) dRobotAddForces(robot, dReal(1e-4)), dWorldStep(world, dReal(1e-4));
+        std::array<dReal, 6> out{};
+        dRobotGetVelocities(robot, out.data(), 6);
+        return out;
+    };
+    const auto slow = after("damping='0.02'");
+    EXPECT_NEAR(double(slow[0]), std::exp(-damping * t / mass), 1e-5);
+    EXPECT_NEAR(double(slow[1]), -2 * std::exp(-damping * t / mass), 1e-5);
+    EXPECT_NEAR(double(slow[5]), 3 * std::exp(-damping * t / moment), 1e-3);
+    const auto braked = after("frictionloss='0.01'");
+    EXPECT_NEAR(double(braked[0]), 1 - friction * t / mass, 1e-5);
+    EXPECT_NEAR(double(braked[2]), 0, 1e-9);
+    EXPECT_NEAR(double(braked[5]), 3 - friction * t / moment, 1e-4);
+    EXPECT_NEAR(double(after("frictionloss='20'")[1]), 0, 1e-9);
+}
+
 }  // namespace

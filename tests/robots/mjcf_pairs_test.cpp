@@ -107,7 +107,7 @@ TEST(MjcfPairFiles, that_name_no_geom_are_errors_with_their_line)
     EXPECT_EQ(line.text, "a pair of the geoms 'g0' and 'flor'; one is not there");
 }
 
-// MuJoCo's pairs touch there; a joint's two links never do in ours, which is told.
+// MuJoCo's pairs touch there; a joint's two links never do in ours: an entry that is ignored.
 TEST(MjcfPairFiles, of_links_that_a_joint_connects_are_ignored_with_a_line)
 {
     const RobotModel model = load_robot_text(
