@@ -296,6 +296,23 @@ def test_faces_of_a_mesh_have_materials(world):
     assert len(ground.face_numbers) == 0
 
 
+def test_one_pair_has_a_material_of_its_own(world):
+    ground = world.plane(material=epode.Material(friction=1))
+    ground.set_pair_material(2, epode.Material(friction=0))
+    blocks = [world.body(mass=1, shape=epode.Box(1, 1, 0.2), position=(0, 3 * i, 0.1), material=epode.Material(friction=1, kind=kind))
+              for i, kind in enumerate((2, 1, 0))]
+    world.step(0.002, steps=50)
+    for block in blocks:
+        block.velocity = (1, 0, 0)
+    world.step(0.002, steps=150)
+    assert blocks[0].velocity[0] == pytest.approx(1, abs=1e-3)
+    assert abs(blocks[1].velocity[0]) < 1e-3 and abs(blocks[2].velocity[0]) < 1e-3
+    with pytest.raises(epode.RefusedError):
+        ground.set_pair_material(256, None)
+    with pytest.raises(TypeError):
+        ground.set_pair_material(1, 0.5)
+
+
 def test_a_cast_finds_all_that_is_on_the_way_in_order(world):
     balls = [world.geom(epode.Sphere(0.5), position=(x, 0, 5)) for x in (9, 3, 6)]
     probe = world.geom(epode.Sphere(0.5), position=(0, 0, 5))
