@@ -42,11 +42,19 @@ struct MeshFloor {
     dTriMeshDataID data;
 };
 
-dGeomID mesh_in(dSpaceID space)
+dGeomID first_of(dSpaceID space, int number)
 {
     for (int i = 0; i < dSpaceGetNumGeoms(space); ++i)
-        if (dGeomGetClass(dSpaceGetGeom(space, i)) == dTriMeshClass) return dSpaceGetGeom(space, i);
+        if (dGeomGetClass(dSpaceGetGeom(space, i)) == number) return dSpaceGetGeom(space, i);
     return nullptr;
+}
+
+dMaterial material_of(dGeomID geom, int number)
+{
+    dMaterial m{};
+    m.struct_size = sizeof m;
+    number == 0 ? dGeomGetMaterial(geom, &m) : dGeomGetFaceMaterial(geom, number, &m);
+    return m;
 }
 
 class FaceMaterials : public testing::TestWithParam<Stepper> {};
@@ -132,6 +140,27 @@ TEST_P(FaceMaterials, of_a_pair_count_alone_whatever_the_two_have_and_against_no
     EXPECT_EQ(dGeomSetMaterial(plane, &wrong), 0);
 }
 
+TEST_P(FaceMaterials, of_a_pair_and_their_kinds_are_in_files)
+{
+    WorldContactsSim sim(GetParam());
+    const dGeomID plane = dCreatePlane(sim.space, 0, 0, 1, 0);
+    const dMaterial ice = material_with(kIce);
+    ASSERT_EQ(dGeomSetFaceMaterial(plane, 200, &ice), 1);
+    dMaterial own = material_with(kAsphalt);
+    own.kind = 200, own.bounce_rule = dCombineProduct;
+    ASSERT_EQ(dGeomSetMaterial(dBodyGetFirstGeom(sim.box({0, 0, 0.1}, {0.4, 0.4, 0.2}, 2)), &own), 1);
+    std::vector<unsigned char> file(dWorldSaveToBuffer(sim.world, nullptr, nullptr, 0));
+    ASSERT_EQ(dWorldSaveToBuffer(sim.world, nullptr, file.data(), file.size()), file.size());
+    dSpaceID space = nullptr;
+    const dWorldID copy = dWorldLoadFromBuffer(file.data(), file.size(), &space);
+    ASSERT_NE(copy, nullptr);
+    const dMaterial box = material_of(first_of(space, dBoxClass), 0);
+    EXPECT_EQ(box.kind, 200);
+    EXPECT_EQ(box.bounce_rule, dCombineProduct);
+    EXPECT_EQ(material_of(first_of(space, dPlaneClass), 200).friction, real(kIce));
+    dSpaceDestroy(space), dWorldDestroy(copy);
+}
+
 TEST_P(FaceMaterials, a_file_keeps_them_and_goes_on_with_the_same_bits)
 {
     WorldContactsSim sim(GetParam());
@@ -146,7 +175,7 @@ TEST_P(FaceMaterials, a_file_keeps_them_and_goes_on_with_the_same_bits)
     const dWorldID copy = dWorldLoadFromBuffer(file.data(), file.size(), &space);
     ASSERT_NE(copy, nullptr);
     unsigned char numbers[4] = {};
-    const dGeomID mesh = mesh_in(space);
+    const dGeomID mesh = first_of(space, dTriMeshClass);
     EXPECT_EQ(dGeomGetFaceMaterialNumbers(mesh, numbers, 4), 4);
     EXPECT_EQ(numbers[2], 7);
     sim.run(40);
