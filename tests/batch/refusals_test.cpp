@@ -45,6 +45,17 @@ TEST_F(BatchRefusals, name_the_element_that_a_batch_does_not_have)
         "<tendon><fixed name='none'><joint joint='j' coef='0'/></fixed></tendon></mujoco>",
         "'none'");
     expect_refused("<mujoco><worldbody><geom size='.1'/></worldbody></mujoco>", "nothing");
+    const std::string slide =
+        "<mujoco><worldbody><site name='s'/><body name='b'><joint name='j'/><geom size='.1'/><site "
+        "name='t' pos='1 0 0'/></body></worldbody>";
+    for (const char* actuator :
+         {"<motor name='thruster' site='t'/>", "<adhesion name='thruster' body='b' ctrlrange='0 1'/>"})
+        expect_refused((slide + "<actuator>" + actuator + "</actuator></mujoco>").c_str(), "'thruster'");
+    for (const char* words : {"frictionloss='1'", "armature='1'"})
+        expect_refused((slide + "<tendon><fixed name='drum' " + words +
+                        "><joint joint='j' coef='1'/></fixed></tendon></mujoco>")
+                           .c_str(),
+                       "'drum'");
 }
 
 TEST_F(BatchRefusals, leave_everything_as_it_was)
