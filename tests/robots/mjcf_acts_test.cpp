@@ -141,6 +141,7 @@ TEST_F(MjcfActs, a_violated_limit_does_not_throw_the_faster_the_smaller_the_step
 TEST_F(MjcfActs, dampers_and_friction_of_a_free_joint_brake_a_ball_as_in_closed_form)
 {
     const double mass = 2, moment = 0.4 * mass * 0.01, damping = 0.02, friction = 0.01, t = 0.5;
+    const double kFine = sizeof(dReal) == 8 ? 1e-5 : 1e-3;
     const dReal v[6] = {1, -2, 0, 0, 0, 3};
     const auto after = [&](const std::string& words) {
         load("<mujoco><worldbody><body><joint type='free' " + words +
@@ -152,14 +153,14 @@ TEST_F(MjcfActs, dampers_and_friction_of_a_free_joint_brake_a_ball_as_in_closed_
         return out;
     };
     const auto slow = after("damping='0.02'");
-    EXPECT_NEAR(double(slow[0]), std::exp(-damping * t / mass), 1e-5);
-    EXPECT_NEAR(double(slow[1]), -2 * std::exp(-damping * t / mass), 1e-5);
+    EXPECT_NEAR(double(slow[0]), std::exp(-damping * t / mass), kFine);
+    EXPECT_NEAR(double(slow[1]), -2 * std::exp(-damping * t / mass), kFine);
     EXPECT_NEAR(double(slow[5]), 3 * std::exp(-damping * t / moment), 1e-3);
     const auto braked = after("frictionloss='0.01'");
-    EXPECT_NEAR(double(braked[0]), 1 - friction * t / mass, 1e-5);
-    EXPECT_NEAR(double(braked[2]), 0, 1e-9);
-    EXPECT_NEAR(double(braked[5]), 3 - friction * t / moment, 1e-4);
-    EXPECT_NEAR(double(after("frictionloss='20'")[1]), 0, 1e-9);
+    EXPECT_NEAR(double(braked[0]), 1 - friction * t / mass, kFine);
+    EXPECT_NEAR(double(braked[2]), 0, kFine);
+    EXPECT_NEAR(double(braked[5]), 3 - friction * t / moment, 10 * kFine);
+    EXPECT_NEAR(double(after("frictionloss='20'")[1]), 0, kFine);
 }
 
 }  // namespace

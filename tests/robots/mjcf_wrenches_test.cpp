@@ -65,8 +65,7 @@ TEST_F(MjcfWrenches, have_lengths_rates_and_forces_along_joints_as_mujocos)
                     v[4] = {1, -2, dReal(0.5), dReal(1.5)};
         dRobotSetPositions(robot, q, 4), dRobotSetVelocities(robot, v, 4), dRobotSetControl(robot, 0, 2);
         for (int i = 0; i < 7; ++i)
-            EXPECT_NEAR(sensor(i).at(0), its.values[i], sizeof(dReal) == 8 ? 1e-9 : 1e-4)
-                << its.actuator << " " << i;
+            EXPECT_NEAR(sensor(i).at(0), its.values[i], fine(1e-9, 1e-3)) << its.actuator << " " << i;
     }
 }
 
@@ -85,7 +84,7 @@ TEST_F(MjcfWrenches, accelerate_as_their_forces_along_joints_do)
         for (int i = 0; i < 4; ++i) {
             double force = 0;
             for (int j = 0; j < 4; ++j) force += double(mass[4 * i + j]) * v[size_t(j)] / h;
-            EXPECT_NEAR(force, kRecorded[k].values[3 + i], sizeof(dReal) == 8 ? 1e-4 : 1e-1) << k << " " << i;
+            EXPECT_NEAR(force, kRecorded[k].values[3 + i], fine(1e-4, 1)) << k << " " << i;
         }
     }
 }
@@ -100,8 +99,8 @@ TEST_F(MjcfWrenches, push_a_free_body_along_the_axes_of_its_site)
     dRobotSetControl(robot, 0, 3), dRobotSetControl(robot, 1, dReal(0.016));
     step(100, 0.001);
     const std::vector<double> v = velocities();
-    EXPECT_NEAR(v[0] * v[0] + v[1] * v[1], 0.15 * 0.15, 2e-3);  // its site turns with it
-    EXPECT_NEAR(v[5], 0.016 / (0.4 * 2 * 0.01) * 0.1, 1e-6);
+    EXPECT_NEAR(v[0] * v[0] + v[1] * v[1], 0.15 * 0.15, fine(2e-3));  // its site turns with it
+    EXPECT_NEAR(v[5], 0.016 / (0.4 * 2 * 0.01) * 0.1, fine(1e-6));
 }
 
 // What acts between two sites of a free robot changes neither momentum.
@@ -125,7 +124,7 @@ TEST_F(MjcfWrenches, between_two_links_of_a_free_robot_leave_its_momenta)
         speed += std::fabs(double(w[0])) + std::fabs(double(w[1]));
     }
     EXPECT_GT(speed, 1);
-    for (double sum : {p[0], p[1], p[2], l[0], l[1], l[2]}) EXPECT_NEAR(sum, 0, 1e-5);
+    for (double sum : {p[0], p[1], p[2], l[0], l[1], l[2]}) EXPECT_NEAR(sum, 0, fine(1e-5));
 }
 
 TEST(MjcfWrenchFiles, are_written_and_read_again_and_name_what_is_not_there)
@@ -169,18 +168,18 @@ class MjcfAdhesion : public RobotInContact {
 TEST_F(MjcfAdhesion, holds_under_a_ceiling_what_is_lighter_than_its_force)
 {
     const std::string text = stuck("0 0 -1", "0 0 -0.1");
-    EXPECT_NEAR(speed(text, 12), 0, 1e-4);
+    EXPECT_NEAR(speed(text, 12), 0, fine(1e-4));
     dRobotTouch touch;
     touch.struct_size = sizeof touch;
     ASSERT_EQ(dRobotGetTouch(robot, 1, &touch), 1);
-    EXPECT_NEAR(double(touch.normal_force), 12 - kG, 1e-3);
+    EXPECT_NEAR(double(touch.normal_force), 12 - kG, fine(1e-3));
     EXPECT_GT(speed(text, 8), 0.7);  // lets go after a step or two: without contact there is no pull
 }
 
 TEST_F(MjcfAdhesion, at_a_wall_gives_friction_a_normal_force)
 {
     const std::string text = stuck("1 0 0", "0.1 0 0");
-    EXPECT_NEAR(speed(text, 25), 0, 1e-4);  // 0.5 * 25 > 9.81
+    EXPECT_NEAR(speed(text, 25), 0, fine(1e-4));  // 0.5 * 25 > 9.81
     EXPECT_NEAR(speed(text, 15), (kG - 7.5) * 0.1, 0.02);
 }
 

@@ -64,7 +64,7 @@ TEST_F(NamedSensors, read_what_mujocos_read)
         const std::vector<double> its = sensor(int(i));
         ASSERT_EQ(its.size(), recorded[i].size()) << i;
         for (size_t k = 0; k < its.size(); ++k)
-            EXPECT_NEAR(its[k], recorded[i][k], sizeof(dReal) == 8 ? 1e-9 : 1e-4) << i << " " << k;
+            EXPECT_NEAR(its[k], recorded[i][k], fine(1e-9, 1e-3)) << i << " " << k;
     }
 }
 
@@ -117,14 +117,14 @@ TEST_F(NamedSensors, of_acceleration_read_in_the_axes_of_the_world)
     dWorldSetGravity(world, 0, 0, dReal(-kG));
     dBodySetGravityMode(body, 0);
     step(2);
-    EXPECT_NEAR(sensor(0).at(2), kG, 1e-9);
+    EXPECT_NEAR(sensor(0).at(2), kG, fine(1e-9));
     dMass mass;
     dBodyGetMass(body, &mass);
     dBodySetGravityMode(body, 1);
     dBodyAddTorque(body, 0, 0, dReal(0.5 * double(mass.I[0])));
     step(1);
-    EXPECT_NEAR(sensor(0).at(2), 0, 1e-9);
-    EXPECT_NEAR(sensor(1).at(2), 0.5, 1e-9);
+    EXPECT_NEAR(sensor(0).at(2), 0, fine(1e-9));
+    EXPECT_NEAR(sensor(1).at(2), 0.5, fine(1e-9));
 }
 
 }  // namespace

@@ -12,6 +12,12 @@
 #include <string>
 #include <vector>
 
+// A tolerance, in floats a wider one.
+inline double fine(double in_doubles, double in_floats = 1e-2)
+{
+    return sizeof(dReal) == 8 ? in_doubles : in_floats;
+}
+
 class RobotInContact : public testing::Test {
   protected:
     RobotInContact()

@@ -46,19 +46,19 @@ class TendonInertia : public RobotInContact {
 
 TEST_F(TendonInertia, of_sums_of_coordinates_brakes_and_holds)
 {
-    EXPECT_NEAR(speed(fixed("frictionloss='3'")), (kG - 6) * 0.4, 1e-6);
-    EXPECT_NEAR(speed(fixed("frictionloss='6'")), 0, 1e-9);
-    EXPECT_NEAR(speed(fixed("armature='0.5'")), kG / 3 * 0.4, 1e-6);
+    EXPECT_NEAR(speed(fixed("frictionloss='3'")), (kG - 6) * 0.4, fine(1e-6));
+    EXPECT_NEAR(speed(fixed("frictionloss='6'")), 0, fine(1e-9));
+    EXPECT_NEAR(speed(fixed("armature='0.5'")), kG / 3 * 0.4, fine(1e-6));
 }
 
 TEST_F(TendonInertia, of_paths_brakes_and_holds_without_creep)
 {
     EXPECT_NEAR(speed(spatial("frictionloss='5'")), (kG - 5) * 0.4,
                 5.1e-3);  // the first step, from rest, has none
-    EXPECT_NEAR(speed(spatial("frictionloss='12'"), 1), 0, 1e-9);
+    EXPECT_NEAR(speed(spatial("frictionloss='12'"), 1), 0, fine(1e-9));
     dReal z = 1;
     dRobotGetPositions(robot, &z, 1);
-    EXPECT_NEAR(double(z), 0, 1e-4);  // of the first steps
+    EXPECT_NEAR(double(z), 0, fine(1e-4));  // of the first steps
 }
 
 // The error is of first order in the step: what the first one does not know.
@@ -109,10 +109,10 @@ TEST_F(TendonInertia, is_in_the_mass_matrix_and_in_inverse_dynamics_as_in_mujoco
     dReal mass[16], forces[4];
     ASSERT_EQ(dRobotModelGetMassMatrix(model, q, mass, 16), 16);
     ASSERT_EQ(dRobotModelGetInverseDynamics(model, q, v, nullptr, forces, 4), 4);
-    const double near = sizeof(dReal) == 8 ? 1e-9 : 1e-5;
+    const double near = fine(1e-9, 1e-4);
     for (int i = 0; i < 4; ++i) {
         for (int k = 0; k < 4; ++k) EXPECT_NEAR(double(mass[4 * i + k]), row[i][k], near) << i << k;
-        EXPECT_NEAR(double(forces[i]), bias[i], sizeof(dReal) == 8 ? 1e-8 : 1e-2) << i;
+        EXPECT_NEAR(double(forces[i]), bias[i], fine(1e-8)) << i;
     }
 }
 
