@@ -33,14 +33,14 @@ constexpr Golden kGolden[2][8] = {{{0xcfc47b9c733600f0, 0xc8940ca83bd403a6},
                                    {0x11046c466e1c64ce, 0xb0cabd691799d7e0},
                                    {0xe5e9bd66e4a0b7bc, 0x0ae621bc36418722},
                                    {0x9ff530a8bbe41f8f, 0xe937b13066b36fff}},
-                                  {{0x64c2d39453277569, 0x492c57956792288e},
-                                   {0x6cee88ba47eb9c17, 0xb84127e7c64b3b49},
-                                   {0x862ecdb546eaeaf5, 0x037507546c72a2dc},
-                                   {0xa0b53d02da29f1f7, 0xa51ba8b0690c20ad},
-                                   {0x1da17587b31853d6, 0xaf1bcefa47a6e115},
-                                   {0xc270a2fdcb9ffd40, 0xb400a41fa912358d},
-                                   {0xd4f78c3d7320ec8d, 0x892884d0b0de6fca},
-                                   {0x42d973ddddf55eda, 0x683b985664964037}}};
+                                  {{0xc678c118729565cd, 0xc5bc5b7d8ccabeba},
+                                   {0x74a1928343a38b85, 0xdfbbb18ada7af84a},
+                                   {0x738a0faf7551a6a6, 0x63c5342c84192de6},
+                                   {0xeceba0cf7971710c, 0x1a7f96670167c552},
+                                   {0xa9996e33eb444bdd, 0x872b0268b74e7820},
+                                   {0xb77863eadffd0ea2, 0xa58fab2a6a969838},
+                                   {0xa7941f05cefc51a1, 0x944bb845b0875afc},
+                                   {0xbaebfb9a85f6ceba, 0xe0f6c1a3399425aa}}};
 
 class SameBits : public testing::TestWithParam<int> {};
 
