@@ -16,6 +16,7 @@
 #include <ode/drives.h>
 #include <ode/events.h>
 #include <ode/fluid.h>
+#include <ode/fracture.h>
 #include <ode/impulses.h>
 #include <ode/queries.h>
 #include <ode/ragdoll.h>

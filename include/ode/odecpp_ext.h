@@ -344,6 +344,30 @@ class dRagdoll {
     dBodyID _bodies[dRagdollMaxBones];
 };
 
+/** What a body is made of, and how it breaks (ode/fracture.h). */
+class dBreakable {
+  public:
+    /** The list, of count parts, must live as long as this; strength in N s, radius in m. */
+    dBreakable(const dFracturePart* parts, int count, dReal strength, dReal radius = dInfinity)
+    {
+        _fracture.parts = parts, _fracture.count = count;
+        _fracture.strength = strength, _fracture.radius = radius;
+    }
+
+    /** dFractureCreate, dFractureBreak, dFractureUpdate of this one. */
+    dBodyID create(dWorldID world) const { return dFractureCreate(world, _fracture.parts, _fracture.count); }
+    int breakBody(dBodyID body, const dVector3 center = 0, dReal radius = 0) const
+    {
+        return dFractureBreak(_fracture.parts, _fracture.count, body, center, radius);
+    }
+    int update(dWorldID world) const { return dFractureUpdate(world, &_fracture, 1); }
+    /** For dFractureUpdate of many. */
+    const dFracture& get() const { return _fracture; }
+
+  private:
+    dFracture _fracture;
+};
+
 /** A joint of class Type, one of ode/odecpp_joints.h, with the additions of ode/drives.h. It is made by
     create() of that class. */
 template <class Type>

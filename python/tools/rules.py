@@ -343,6 +343,7 @@ LEFT_OUT = {
     r"d(Init|Close|Cleanup|Allocate)ODE\w*": "done once when the module is imported",
     r"dRagdoll\w+|dBonesMakeHuman": "ragdolls have no class in Python yet",
     r"dRope\w+": "ropes have no class in Python yet",
+    r"dFracture\w+": "fracture has no class in Python yet",
 }
 
 # Arrays of fixed size that a function reads and writes.

@@ -9,10 +9,14 @@
 //   approach_speed   max(0, max_i -n_i . u_i),   u_i = v1 + w1 x r1 - v2 - w2 x r2   before the step
 // The velocities are gone when the impulses are known, so the speeds are measured between the search for
 // islands and the solution, and only for worlds that list events.
+//
+// Whole impulses of pairs (PairImpulse) are those of the anchors at the present poses (place_again), which a state restores too, so
+// what follows from them has the same bits after a roll-back.
 #include <algorithm>
 
 #include "contacts/contact_world.h"
 #include "contacts/pair_rules.h"
+#include "dynamics/impulse.h"
 
 namespace epode {
 namespace {
@@ -32,6 +36,52 @@ Vec3 place_after(const ContactPair& pair, const CachedManifold& kept, const Mani
     const bool on_surface = point.separation <= kept.layer || rounds_on_what_stands(pair);
     const Vec3 gap = on_surface ? Vec3{} : Real(0.5) * Real(point.separation - kept.layer) * n;
     return moves(pair.body1) ? at + gap + way1 : at - gap + way2;
+}
+
+Real exerted_by(std::span<const CachedManifold> manifolds)
+{
+    Real sum = 0;
+    for (const CachedManifold& kept : manifolds)
+        for (int i = 0; i < kept.manifold.count; ++i) sum += Real(kept.manifold.points[i].normal_impulse);
+    return sum;
+}
+
+bool is_live(const ContactPair& pair)
+{
+    const Geom *g1 = from_handle<Geom>(pair.id1), *g2 = from_handle<Geom>(pair.id2);
+    return g1 && g2 && g1->serial == pair.serial1 && g2->serial == pair.serial2 && body_of(*g1);
+}
+
+// m u, 1 / m = n . (K1 + K2) n at the place, u the approach along n.
+Real remaining_at(const PairImpulse& at)
+{
+    const Body* const body1 = body_of(*from_handle<Geom>(at.g1));
+    const Body* const body2 = own_body(*body1->world, *from_handle<Geom>(at.g2));
+    Vec3 u = body1->point_velocity(at.place);
+    Real yields = yielding(*body1, at.place - body1->position(), at.normal);
+    if (body2) u -= body2->point_velocity(at.place);
+    if (body2) yields += yielding(*body2, at.place - body2->position(), at.normal);
+    const Real approach = -dot(at.normal, u);
+    return approach > 0 && yields > 0 ? approach / yields : 0;
+}
+
+// At the mean of the points, by their normal impulses.
+PairImpulse impulse_of(const ContactPair& pair, std::span<const CachedManifold> manifolds, Real exerted)
+{
+    PairImpulse out{pair.id1, pair.id2, {}, {}, {}, exerted, 0};
+    for (CachedManifold placed : manifolds) {
+        place_again(pair, placed);
+        for (int i = 0; i < placed.manifold.count; ++i) {
+            const ManifoldPoint& point = placed.manifold.points[i];
+            const Real p = Real(point.normal_impulse);
+            out.place += p / exerted * (placed.origin + widen(point.r1));
+            out.normal += p * widen(placed.manifold.normal);
+            out.on_first += widen(point.friction_impulse);
+        }
+    }
+    out.on_first += out.normal;
+    if (normalize(out.normal)) out.remaining = remaining_at(out);
+    return out;
 }
 
 }  // namespace
@@ -109,6 +159,19 @@ void ContactWorld::report(EventList& out) const
             if (out.wants(kind) && (awake(pair.body1) || awake(pair.body2))) add(pair, kind);
         }
     }
+}
+
+bool ContactWorld::impulses(std::span<const std::uint64_t> geoms, Array<PairImpulse>& out) const
+{
+    const auto has = [&](std::uint64_t serial) {
+        return std::binary_search(geoms.begin(), geoms.end(), serial);
+    };
+    for (const ContactPair& pair : last_.pairs) {
+        if (pair.count == 0 || !(has(pair.serial1) || has(pair.serial2)) || !is_live(pair)) continue;
+        const Real exerted = exerted_by(last_.of(pair));
+        if (exerted > 0 && !out.push(impulse_of(pair, last_.of(pair), exerted))) return false;
+    }
+    return true;
 }
 
 }  // namespace epode

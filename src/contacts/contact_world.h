@@ -43,6 +43,16 @@ struct ActiveBodies {
     int count, all;
 };
 
+// What a pair exerted in the last step, and what it will yet: contacts that are speculative stop two bodies where they meet, so
+// a blow may begin in one step and end in the next.
+struct PairImpulse {
+    dGeomID g1, g2;
+    Vec3 place, normal;  // where the bodies are now; unit, into g1
+    Vec3 on_first;       // N s, with friction
+    Real exerted;        // N s, along the normals
+    Real remaining;      // N s: what stops the approach that is left, of these two alone
+};
+
 class ContactWorld {
   public:
     ContactWorld() = default;
@@ -112,6 +122,8 @@ class ContactWorld {
 
     int events(dContactEvent* out, int capacity) const;
     int contacts(dWorldContact* out, int capacity) const;
+    // Impulses of pairs that did not rest and have one of these geoms, sorted serial numbers, in order. False: out of memory.
+    [[nodiscard]] bool impulses(std::span<const std::uint64_t> geoms, Array<PairImpulse>& out) const;
 
   private:
     // What a range of found pairs has; after summing up, where it begins.

@@ -366,6 +366,23 @@ void test_ragdolls()
     judge("dRagdoll::getGap", figure.getGap() < REAL(1e-5), Numbers());
 }
 
+void test_fracture()
+{
+    dWorldExt world;
+    dFracturePart parts[2];
+    for (int i = 0; i < 2; ++i) {
+        parts[i].geom = dCreateBox(0, 1, 1, 1), parts[i].density = 500;
+        dGeomSetPosition(parts[i].geom, dReal(i), 0, 0);
+    }
+    const dBreakable pair(parts, 2, 100);
+    const dBodyID body = pair.create(world);
+    judge("dBreakable::create", body != 0 && dBodyGetPosition(body)[0] == REAL(0.5), Numbers());
+    judge("dBreakable::update", pair.update(world) == 0, Numbers());
+    judge("dBreakable::get", pair.get().count == 2 && pair.get().radius == dInfinity, Numbers());
+    judge("dBreakable::breakBody", pair.breakBody(body) == 2, Numbers());
+    for (int i = 0; i < 2; ++i) dGeomDestroy(parts[i].geom);
+}
+
 void test_joints()
 {
     dWorldExt world;
@@ -580,6 +597,7 @@ int main()
     test_impulses();
     test_vehicles();
     test_ragdolls();
+    test_fracture();
     test_joints();
     test_coupling();
     test_body_and_geoms();

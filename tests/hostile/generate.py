@@ -50,6 +50,7 @@ KIND_OF_TYPE = {
     "const dVehicleSettings*": "VehicleSettings", "dVehicleSettings*": "VehicleSettingsBuffer", "const dVehicleWheel*": "VehicleWheel", "dVehicleWheel*": "VehicleWheelBuffer",
     "const dVehicleControls*": "VehicleControls", "dVehicleControls*": "VehicleControlsBuffer", "dVehicleReport*": "VehicleReport", "dVehicleWheelReport*": "VehicleWheelReport",
     "const dBone*": "Bones", "dBone*": "BoneBuffer", "const dQuaternion*": "Pose", "const dRopeSettings*": "RopeSettings", "dQuaternion*": "QueryHits",
+    "const dFracturePart*": "FractureParts", "const dFracture*": "Fractures",
     "dMaterial*": "Material",
     "const dMaterial*": "Material", "dDrive*": "DriveBuffer", "const dDrive*": "Drive", "const dQueryFilter*": "QueryFilter", "dContactFilter*": "ContactFilter",
     "const unsigned char*": "Bytes", "const short*": "Shorts", "const float*": "Floats",
@@ -74,7 +75,7 @@ KIND_OF_PARAMETER = [
     (r"d(Material|QueryFilter|Drive|EventSettings|CharacterSettings|FluidSettings|VehicleSettings|VehicleWheel|RopeSettings)Init:(material|filter|drive|settings|wheel)", "QueryHits"),
     (r"d(Diagnosis|Defaults)Text:text", "QueryHits"),
     (r"\w+:struct_size", "StructSize"),
-    (r"dRagdoll\w+:count", "Length"),
+    (r"d(Ragdoll|Fracture)\w+:count", "Length"),
     (r"dWorldsStep:(count|steps)", "Length"),
     (r"dWorldsStep:threads", "ThreadCount"),
     (r"dWorldSetBehaviour:version", "Behaviour"),
@@ -129,7 +130,7 @@ KIND_OF_PARAMETER = [
 
 # Handles and pointers that may be null.
 MAY_BE_NULL = [
-    r"dCreate\w*:space", r"dRagdollCreate:(space|position|orientation)", r"dWorldShiftOrigin:space", r"dGeomSetFaceMaterial:material", r"dGeomSetFaceMaterialNumbers:numbers", r"dRopeCreate:(space|first|last|settings|joints)", r"d\w+SpaceCreate:space", r"dJointCreate\w*:group", r"dJointAttach:body[12]",
+    r"dCreate\w*:space", r"dRagdollCreate:(space|position|orientation)", r"dFractureBreak:center", r"dWorldShiftOrigin:space", r"dGeomSetFaceMaterial:material", r"dGeomSetFaceMaterialNumbers:numbers", r"dRopeCreate:(space|first|last|settings|joints)", r"d\w+SpaceCreate:space", r"dJointCreate\w*:group", r"dJointAttach:body[12]",
     r"dGeomSetBody:body", r"dConnectingJoint(List)?:body[12]", r"dAreConnected(Excluding)?:(body2|arg2)",
     r"dGeomTransformSetGeom:obj", r"dCreateHeightfield:data", r"dGeomHeightfieldSetHeightfieldData:d",
     r"\w+:(data|pUserData)", r"dJointSetFeedback:feedback", r"dSet\w+Handler:fn", r"dSetColliderOverride:fn",

@@ -94,6 +94,8 @@ enum class Kind {
     kBoneBuffer,
     kPose,
     kRopeSettings,
+    kFractureParts,
+    kFractures,
     kGeomClass,
     kWorldReport,
     kIslandReport,

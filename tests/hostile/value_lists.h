@@ -325,6 +325,51 @@ inline const std::vector<Item<BoneList>>& bone_lists()
     return list;
 }
 
+// The scene's cone and ellipsoid are on no body; beyond these two there is nothing.
+struct PartList {
+    dFracturePart parts[8];
+};
+inline std::vector<Item<PartList>> part_lists(const Scene& scene)
+{
+    const auto& live = scene.live[std::size_t(Kind::kGeom)];
+    const auto with = [&](auto change) {
+        PartList list{};
+        for (std::size_t i = 0; i < 2 && live.size() > 15; ++i)
+            list.parts[i].geom = static_cast<dGeomID>(live[14 + i]);
+        change(list.parts[0]);
+        return list;
+    };
+    const auto dead = static_cast<dGeomID>(scene.dead[std::size_t(Kind::kGeom)]);
+    return {{with([](auto&) {}), Trait::kFine, "two solids"},
+            {with([](auto& p) { p.geom = nullptr; }), Trait::kBad, "no geom"},
+            {with([=](auto& p) { p.geom = dead; }), Trait::kBad, "destroyed geom"},
+            {with([](auto& p) { p.density = -1; }), Trait::kBad, "density -1"},
+            {with([](auto& p) { p.density = kNaN; }), Trait::kNaN, "density NaN"}};
+}
+
+struct FractureList {
+    dFracture list[8];
+};
+inline std::vector<Item<FractureList>> fracture_lists(const Scene& scene)
+{
+    static PartList parts;
+    parts = part_lists(scene)[0].value;
+    const auto with = [&](auto change) {
+        FractureList out{};
+        for (dFracture& f : out.list) f = {parts.parts, 2, 1, 1};
+        change(out.list[0]);
+        return out;
+    };
+    return {{with([](auto&) {}), Trait::kFine, "all alike"},
+            {with([](auto& f) { f.strength = f.radius = kInf; }), Trait::kFine, "infinite"},
+            {with([](auto& f) { f.parts = nullptr; }), Trait::kStrange, "no parts"},
+            {with([](auto& f) { f.count = INT_MIN; }), Trait::kStrange, "count INT_MIN"},
+            {with([](auto& f) { f.count = 3; }), Trait::kStrange, "count 3"},
+            {with([](auto& f) { f.strength = -1; }), Trait::kStrange, "strength -1"},
+            {with([](auto& f) { f.strength = kNaN; }), Trait::kStrange, "strength NaN"},
+            {with([](auto& f) { f.radius = kNaN; }), Trait::kStrange, "radius NaN"}};
+}
+
 inline const std::vector<Item<dRopeSettings>>& rope_settings()
 {
     static const auto with = [](auto change) {

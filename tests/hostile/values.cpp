@@ -247,6 +247,10 @@ int Values::count(Kind kind)
             return int(poses().size()) + 1;
         case Kind::kRopeSettings:
             return int(rope_settings().size()) + 1;
+        case Kind::kFractureParts:
+            return int(part_lists(scene_).size()) + 1;
+        case Kind::kFractures:
+            return int(fracture_lists(scene_).size()) + 1;
         case Kind::kContact:
             return int(hostile::contacts().size()) + 1;
         case Kind::kGeomClass:
@@ -484,6 +488,10 @@ Value Values::memory(Kind kind, int index, int position)
             return item(poses());
         case Kind::kRopeSettings:
             return item(rope_settings());
+        case Kind::kFractureParts:
+            return item(part_lists(scene_));
+        case Kind::kFractures:
+            return item(fracture_lists(scene_));
         case Kind::kContact:
             return item(hostile::contacts());
         case Kind::kGeomClass:

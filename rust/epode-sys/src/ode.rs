@@ -530,6 +530,7 @@ pub const dTRIDATAPREPROCESS_FACE_ANGLES_EXTRA__DEFAULT: c_int = 0;
 pub const dMaxCouplingAxes: c_int = 8;
 /// the rotation vector
 pub const dAMotorTurn: c_int = 2;
+pub const dFractureMaxParts: c_int = 4096;
 pub const dRagdollMaxBones: c_int = 128;
 pub const dConeClass: c_int = 18;
 pub const dEllipsoidClass: c_int = 19;
@@ -1304,6 +1305,29 @@ pub struct dFluidSettings {
     pub angular_drag: dReal,
     /// velocity of the fluid, m/s, world. 0
     pub current: dVector3,
+}
+/// One part. Elements of arrays, such as this and dFracture, have no struct\_size.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dFracturePart {
+    /// its shape, where it is
+    pub geom: dGeomID,
+    /// kg/m^3, 0 or more; 0: 1000
+    pub density: dReal,
+}
+/// What may break, and when.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dFracture {
+    /// the list; must live as long as the call
+    pub parts: *const dFracturePart,
+    /// of parts
+    pub count: c_int,
+    /// normal impulse of one step, between one part and one other geom, that it withstands,
+    /// N s, 0 or more; dInfinity: any. A resting load has its weight times the step
+    pub strength: dReal,
+    /// m: parts within this distance of the hardest contact come off, each alone
+    pub radius: dReal,
 }
 /// A bone, and the joint with its parent. Elements of arrays, such as this, have no struct\_size. Zeros are
 /// a good start: what is 0 is not there, but for what a field says. Places and directions are in one frame
@@ -2867,6 +2891,23 @@ extern "C" {
     /// Write the force, N, and the torque about the centre of mass, N m (3 reals each, world), that all fluids exerted on the body in the last step in
     /// which it was awake. Either may be 0. Returns 1 if it was in a fluid; 0, with zeros, if not.
     pub fn dBodyGetFluidForce(body: dBodyID, force: *mut dReal, torque: *mut dReal) -> c_int;
+    /// Make a body of the parts, whose geoms are on no body, where they are: at their common centre of mass, of
+    /// their masses and inertias added up, not turned. Returns the body. Refused: a geom on a body; out of
+    /// memory.
+    pub fn dFractureCreate(world: dWorldID, parts: *const dFracturePart, count: c_int) -> dBodyID;
+    /// Break a body that has some of the parts. Those within radius of center (world, m; 0: all) become bodies of
+    /// one part each; of the others those that touch each other stay together. The new bodies have the settings,
+    /// data pointer and velocities of the old one, which is destroyed; joints are left without it. Of a
+    /// kinematic body, what comes off is dynamic and the rest kinematic. Returns how many bodies it has become;
+    /// 0, with nothing changed, if that is none or one. Refused: a body that is 0 or destroyed; one with geoms that
+    /// are no parts; out of memory.
+    pub fn dFractureBreak(parts: *const dFracturePart, count: c_int, body: dBodyID, center: *const dReal, radius: dReal) -> c_int;
+    /// Break whatever the last step has hit harder than its strength: each body that has two or more parts of one
+    /// of count fractures. World-managed contacts count (dWorldSetContactSpace), with what will stop the approach
+    /// that is left. The blow then has the strength and no more: a ball goes on through a pane with what is left of
+    /// its momentum. What was overloaded most breaks first. Call it before each step. Returns how many bodies
+    /// broke. Refused: a strength below 0; where a body cannot break, what dFractureBreak refuses.
+    pub fn dFractureUpdate(world: dWorldID, fractures: *const dFracture, count: c_int) -> c_int;
     /// Give the body the impulse at pos, which may be 0: impulse / mass in velocity, and its
     /// moment about the centre.
     ///

@@ -20,6 +20,7 @@ pub const HEADERS: &[&str] = &[
     "ode/export-dif.h",
     "ode/ext.h",
     "ode/fluid.h",
+    "ode/fracture.h",
     "ode/impulses.h",
     "ode/mass.h",
     "ode/matrix.h",
@@ -78,6 +79,8 @@ macro_rules! ode_structures {
         dEvent { kind gone g1 g2 joint pos normal approach_speed impulse }
         dEventSettings { struct_size kinds capacity min_impulse min_approach_speed }
         dFluidSettings { struct_size density drag linear_drag angular_drag current }
+        dFracturePart { geom density }
+        dFracture { parts count strength radius }
         dBone { parent shape size mass density position orientation joint anchor axis swing low high stiffness damping strength friction }
         dWorldStepReport { struct_size islands bodies joints rows residual iterations fallbacks contained_islands factorisations joint_error joint_angle_error penetration energy_before energy_after projection_iterations projections_unconverged projection_error stopped_bodies friction_error raised_bodies raised_residual unsolved_joint unsolved_joints }
         dIslandStepReport { struct_size method body bodies joints rows iterations factorisations fallback contained residual joint_error joint_angle_error penetration energy_before energy_after projection_iterations projection_unconverged projection_error stopped_bodies friction_error raised_bodies raised_residual unsolved_joint unsolved_joints }
@@ -333,6 +336,7 @@ macro_rules! ode_numbers {
         dTRIDATAPREPROCESS_FACE_ANGLES_EXTRA__DEFAULT
         dMaxCouplingAxes
         dAMotorTurn
+        dFractureMaxParts
         dRagdollMaxBones
         dConeClass
         dEllipsoidClass
@@ -746,6 +750,9 @@ macro_rules! ode_functions {
         dFluidGetSubmerged
         dFluidGetSubmergedBody
         dBodyGetFluidForce
+        dFractureCreate
+        dFractureBreak
+        dFractureUpdate
         dBodyApplyImpulse
         dBodyApplyAngularImpulse
         dBodyApplyForce
