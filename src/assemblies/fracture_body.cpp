@@ -96,7 +96,7 @@ class Swap {
     explicit Swap(Parts parts) : parts_(parts) {}
 
     // Null, or what is wrong; pieces() then says what it becomes, if more than one.
-    const char* plan_break(dBodyID whole, const Break& how)
+    const char* prepare_break(dBodyID whole, const Break& how)
     {
         if (!group_of_.resize(int(parts_.size())) || !rest_.reserve(int(parts_.size()))) return kOutOfMemory;
         if (!all_geoms_are_parts(whole)) return kStrangers;
@@ -105,7 +105,7 @@ class Swap {
         return groups_ > 1 ? measure_all({load(dBodyGetPosition(whole)), load_mat(dBodyGetRotation(whole))})
                            : nullptr;
     }
-    const char* plan_whole()
+    const char* prepare_whole()
     {
         if (!group_of_.resize(int(parts_.size()))) return kOutOfMemory;
         groups_ = 1;
@@ -177,7 +177,7 @@ class Swap {
 dBodyID unite_parts(dWorldID world, Parts parts, const char** fault)
 {
     Swap swap(parts);
-    if ((*fault = swap.plan_whole())) return nullptr;
+    if ((*fault = swap.prepare_whole())) return nullptr;
     if (!swap.create_bodies(world)) return *fault = kOutOfMemory, nullptr;
     swap.hand_geoms_over();
     return swap.body(0);
@@ -186,7 +186,7 @@ dBodyID unite_parts(dWorldID world, Parts parts, const char** fault)
 int break_body(Parts parts, dBodyID body, const Break& how, const char** fault)
 {
     Swap swap(parts);
-    if ((*fault = swap.plan_break(body, how)) || swap.groups() < 2) return 0;
+    if ((*fault = swap.prepare_break(body, how)) || swap.groups() < 2) return 0;
     if (!swap.create_bodies(dBodyGetWorld(body))) return *fault = kOutOfMemory, 0;
     for (int i = 0; i < swap.groups(); ++i) go_on(body, swap.piece(i));
     swap.hand_geoms_over();
