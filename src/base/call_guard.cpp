@@ -73,7 +73,11 @@ constinit thread_local GuardList t_guards = {};
 struct ThreadEnd {
     ~ThreadEnd() { CallGuard::release_left(); }
 };
+#if defined(__wasm__)
+void watch_thread_end() {}  // its one thread ends with the module
+#else
 void watch_thread_end() { static thread_local const ThreadEnd end; }
+#endif
 
 // The calling thread's own.
 GuardList::Stack find_stack()
