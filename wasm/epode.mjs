@@ -72,6 +72,9 @@ class Ode {
         Object.assign(this, constants);
     }
 
+    // WebAssembly's memory. Its buffer is another one after it has grown.
+    get memory() { return this.#memory; }
+
     // A view of numbers in the module's memory. It ends when the memory grows, which any call may do: use it at once,
     // or copy it.
     reals(pointer, count) { return new kElements[real](this.#memory.buffer, pointer, count); }

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+#
+# The npm package: built, packed, installed from its tarball in an empty folder, and there its tests, its types, its examples, random
+# hostile calls, and a world that goes to a native program and back.
+#   tests/wasm/npm.sh [CALLS]      (of the hostile test; 1,000,000. Needs what `scripts/setup wasm` installs, npm, and the preset release)
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+root=$PWD
+native=${EPODE_NATIVE:-build/release/lib}
+wasm/npm/build
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+tarball=$(ls "$root"/build/wasm/epode-*.tgz)
+cp tests/wasm/npm/*.mjs tests/wasm/npm/types.ts "$folder/"
+cd "$folder"
+echo '{"name": "clean", "private": true, "type": "module"}' > package.json
+npm install --no-audit --no-fund --loglevel=error "$tarball" >/dev/null
+[ "$(ls node_modules)" = epode ] || { echo "npm: the package brings others: $(ls node_modules)"; exit 1; }
+
+EPODE_ROOT=$root node --test package_test.mjs > tests.log || { cat tests.log; exit 1; }
+echo "npm: tests: $(grep -E '^# pass' tests.log)"
+"$root/build/wasm/npm/node_modules/.bin/tsc" --noEmit --strict --target es2022 --module nodenext --skipLibCheck false --types "" types.ts
+for example in node_modules/epode/examples/*.mjs; do
+  node "$example" > example.log || { cat example.log; exit 1; }
+  echo "npm: $(basename "$example"): $(tail -1 example.log)"
+done
+gcc -O1 -I"$root/include" "$root/tests/wasm/npm/native.c" -o native -L"$root/$native" -lode -Wl,-rpath,"$root/$native"
+node native_test.mjs ./native
+node hostile_test.mjs "${1:-1000000}" "${EPODE_SEED:-1}"
+size=$(gzip -9 -c node_modules/epode/lib/epode.wasm | wc -c)
+brotli=$(node -e 'process.stdout.write(String(require("zlib").brotliCompressSync(require("fs").readFileSync(process.argv[1])).length))' \
+  node_modules/epode/lib/epode.wasm)
+echo "npm: module of $size bytes by gzip, $brotli by brotli"
+[ "$brotli" -le 900000 ] || { echo "npm: the module is larger than 900 kB"; exit 1; }
