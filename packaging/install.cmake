@@ -6,7 +6,7 @@
 #                     (for Windows bin/libode.dll, lib/libode.dll.a and those of libode_single; for WebAssembly
 #                     libode.a, and share/epode/web: epode.wasm and what loads it)
 #   lib/pkgconfig/ode.pc, ode-single.pc
-#   lib/cmake/ode     bin/ode-config, bin/epode    share/epode/replay.html     share/doc/epode     lib/epode: the recorder
+#   lib/cmake/ode, lib/cmake/epode     bin/ode-config, bin/epode    share/epode/replay.html     share/doc/epode     lib/epode: the recorder
 #   include/epode/robots.h   lib/libepode_robots.so, where pugixml is there
 #   include/drawstuff/*.h   lib/libdrawstuff.a   lib/pkgconfig/drawstuff.pc, where drawstuff is built (ODE::drawstuff in lib/cmake/ode)
 include(GNUInstallDirs)
@@ -71,6 +71,11 @@ write_basic_package_version_file(${EPODE_OUT}/ode-config-version.cmake VERSION $
                                  COMPATIBILITY AnyNewerVersion)
 install(FILES ${EPODE_OUT}/ode-config.cmake ${EPODE_OUT}/ode-config-version.cmake DESTINATION ${EPODE_CMAKE_DIR})
 install(EXPORT ode-targets NAMESPACE ODE:: DESTINATION ${EPODE_CMAKE_DIR})
+# And find_package(epode), by Epode's own version.
+configure_file(${EPODE_PACKAGING}/epode-config.cmake.in ${EPODE_OUT}/epode-config.cmake @ONLY)
+write_basic_package_version_file(${EPODE_OUT}/epode-config-version.cmake VERSION ${PROJECT_VERSION} COMPATIBILITY SameMinorVersion)
+install(FILES ${EPODE_OUT}/epode-config.cmake ${EPODE_OUT}/epode-config-version.cmake
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/epode)
 
 configure_file(${EPODE_PACKAGING}/ode-config.in ${EPODE_OUT}/ode-config @ONLY)
 install(PROGRAMS ${EPODE_OUT}/ode-config DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
-"""sbom.py VERSION DATE FILE...: what a release consists of, as SPDX 2.3 (JSON), on stdout.
+"""sbom.py VERSION DATE FOLDER FILE...: what a release consists of, FILEs below FOLDER, as SPDX 2.3 (JSON), on stdout.
 
 The core library has no dependencies; the rest names what it is built with, as Debian's packages of it say. DATE is that of the
 commit (ISO 8601), so that the same commit gives the same text.
@@ -27,10 +27,16 @@ USED = [
     ("epode", "libglfw3-dev", "Zlib"),
     ("epode", "libimgui-dev", "MIT"),
     ("epode (Python)", "nanobind", "BSD-3-Clause"),
+    ("nanobind", "robin-map", "MIT"),
 ]
+ROOT = Path(__file__).resolve().parent.parent
 
 
+# Debian's version, or that of PyPI's package that the wheels were built with.
 def installed(package):
+    found = sorted(ROOT.glob(f"build/python/tools-*/lib/*/site-packages/{package}-*.dist-info"))
+    if found:
+        return found[-1].name.removesuffix(".dist-info").removeprefix(f"{package}-")
     done = subprocess.run(["dpkg-query", "-W", "-f=${Version}", package], capture_output=True, text=True, check=False)
     return done.stdout if done.returncode == 0 and done.stdout else "NOASSERTION"
 
@@ -44,9 +50,10 @@ def package(name, version, licence, **more):
             "copyrightText": "NOASSERTION", "downloadLocation": "NOASSERTION", "filesAnalyzed": False} | more
 
 
-def released(path):
+# By its way from the folder: the source archive and Python's source distribution have one name.
+def released(path, folder):
     checksum = hashlib.sha256(path.read_bytes()).hexdigest()
-    return package(path.name, VERSION, "BSD-3-Clause", packageFileName=path.name,
+    return package(str(path.relative_to(folder)), VERSION, "BSD-3-Clause", packageFileName=path.name,
                    copyrightText="Copyright (c) 2026 The Epode authors",
                    checksums=[{"algorithm": "SHA256", "checksumValue": checksum}])
 
@@ -55,9 +62,9 @@ def relation(one, kind, other):
     return {"spdxElementId": one, "relationshipType": kind, "relatedSpdxElement": other}
 
 
-def document(date, files):
+def document(date, folder, files):
     engine = package("epode", VERSION, "BSD-3-Clause", copyrightText="Copyright (c) 2026 The Epode authors")
-    its = [released(Path(name)) for name in files]
+    its = [released(Path(name), folder) for name in files]
     used = [package(name, installed(name), licence, comment=f"built into {part}") for part, name, licence in USED]
     return {
         "spdxVersion": "SPDX-2.3", "dataLicense": "CC0-1.0", "SPDXID": "SPDXRef-DOCUMENT", "name": f"epode-{VERSION}",
@@ -71,8 +78,8 @@ def document(date, files):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3:
+    if len(sys.argv) < 4:
         sys.exit(__doc__)
     VERSION = sys.argv[1]
-    json.dump(document(sys.argv[2], sys.argv[3:]), sys.stdout, indent=1)
+    json.dump(document(sys.argv[2], Path(sys.argv[3]), sys.argv[4:]), sys.stdout, indent=1)
     print()

@@ -5,7 +5,7 @@
 import os
 
 from conan import ConanFile
-from conan.tools.build import check_min_cppstd
+from conan.tools.build import check_min_cppstd, stdcpp_library
 from conan.tools.cmake import CMake, CMakeToolchain, cmake_layout
 from conan.tools.files import copy
 
@@ -62,3 +62,6 @@ class Epode(ConanFile):
         self.cpp_info.set_property("pkg_config_name", "ode-single" if is_single else "ode")
         if self.settings.os == "Linux":
             self.cpp_info.system_libs = ["m", "pthread"]
+            # A program of C does not bring what a static library of C++ needs.
+            if not self.options.shared:
+                self.cpp_info.system_libs.append(stdcpp_library(self))

@@ -82,6 +82,11 @@ for program in $(printf 'upper/pendulum_%s lower/lower_%s ' $(for p in "$@"; do 
     "./$program" || fail "$program said no"
 done
 
+# By Epode's own name, with its library of robots.
+"$cmake" -G Ninja -S "$clients/epode" -B named -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_COMPILER="$cc" \
+    -DCLIENT="$clients/../../packages/client.c" > log 2>&1 && "$cmake" --build named > log 2>&1 || { cat log; fail "named"; }
+run named/named
+
 # drawstuff, where it was built: a C program and a C++ one, by pkg-config and by CMake.
 if [ -f "$prefix/$libdir/libdrawstuff.a" ]; then
     board=$clients/../../drawstuff
