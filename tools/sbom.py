@@ -53,7 +53,7 @@ def package(name, version, licence, **more):
 # By its way from the folder: the source archive and Python's source distribution have one name.
 def released(path, folder):
     checksum = hashlib.sha256(path.read_bytes()).hexdigest()
-    return package(str(path.relative_to(folder)), VERSION, "BSD-3-Clause", packageFileName=path.name,
+    return package(str(path.relative_to(folder)), VERSION, "BSD-3-Clause", packageFileName=str(path.relative_to(folder)),
                    copyrightText="Copyright (c) 2026 The Epode authors",
                    checksums=[{"algorithm": "SHA256", "checksumValue": checksum}])
 

@@ -35,7 +35,7 @@ tar xzf "$archive" -C "$work"
 grep -q "^project(epode VERSION $version " "$source/CMakeLists.txt" || fail "the archive is of another version than its name"
 
 way_same() {
-  local commit; commit=$(gzip -dc "$archive" | git get-tar-commit-id)
+  local commit; commit=$(set +o pipefail && gzip -dc "$archive" | git get-tar-commit-id)  # which reads the beginning alone
   git clone -q --no-hardlinks "$repository" "$work/clone"
   git -C "$work/clone" checkout -q "$commit"
   (umask 077 && TZ=Asia/Kolkata LC_ALL=C "$work/clone/scripts/release" source) >"$work/log" 2>&1 || { cat "$work/log" >&2; fail "same: no archive"; }
