@@ -68,7 +68,7 @@ quietly gcc -Wall -Werror client.c -o client-single -DNO_ROBOTS $(pkg-config --c
 quietly ./client-single
 ok "in single precision: $(cat log)"
 
-for name in ode ODE; do
+for name in ode ODE epode; do
   mkdir -p "by-$name"
   cat >"by-$name/CMakeLists.txt" <<END
 cmake_minimum_required(VERSION 3.18)

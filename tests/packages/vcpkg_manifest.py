@@ -37,4 +37,4 @@ def faults(manifest):
 
 if __name__ == "__main__":
     found = list(faults(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))))
-    sys.exit("\n".join(f"{sys.argv[1]}: {fault}" for fault in found))
+    sys.exit("\n".join(f"{sys.argv[1]}: {fault}" for fault in found) or 0)
