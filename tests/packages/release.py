@@ -74,7 +74,7 @@ def turn_byte(path):
 
 
 def judge_planted(folder):
-    damages = {f"a bit of {path.name} turned": lambda copy, name=path.relative_to(folder): turn_byte(copy / name)
+    damages = {f"a bit of {path.relative_to(folder)} turned": lambda copy, name=path.relative_to(folder): turn_byte(copy / name)
                for path in folder.rglob("*") if path.name.endswith((".gz", ".whl", ".deb"))}
     damages |= {"a file more": lambda copy: (copy / "more.whl").write_bytes(b"more"),
                 "a port of another archive": lambda copy: turn_byte(copy / "vcpkg/portfile.cmake") if (copy / "vcpkg").is_dir() else turn_byte(copy / "SHA256SUMS"),
