@@ -7,7 +7,7 @@ import os
 import struct
 import weakref
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,8 +16,6 @@ from . import _c, c
 from ._handle import FloatArray
 
 if TYPE_CHECKING:
-    from typing import Self
-
     from .body import Body
     from .world import World
 

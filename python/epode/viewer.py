@@ -20,7 +20,7 @@ from __future__ import annotations
 import math
 import time
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
@@ -29,8 +29,6 @@ from ._handle import FloatArray
 from .recording import Recording, _png
 
 if TYPE_CHECKING:
-    from typing import Self
-
     from .world import World
 
 _KEPT = 200_000_000  # bytes of states that a window keeps, about

@@ -17,13 +17,9 @@ import argparse
 import importlib
 import importlib.util
 import sys
+import tomllib
 from pathlib import Path
 from typing import Any
-
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
 
 from .plan import Axis, Plan, distribution, grid, linear, log
 from .sweep import Scene, SweepError, run, status
