@@ -1323,8 +1323,8 @@ pub struct dFracture {
     pub parts: *const dFracturePart,
     /// of parts
     pub count: c_int,
-    /// normal impulse of one step, between one part and one other geom, that it withstands,
-    /// N s, 0 or more; dInfinity: any. A resting load has its weight times the step
+    /// normal impulse of a blow of one other geom on one part that it withstands, N s, 0 or
+    /// more; dInfinity: any. A resting load exerts its weight times the step
     pub strength: dReal,
     /// m: parts within this distance of the hardest contact come off, each alone
     pub radius: dReal,
@@ -2892,21 +2892,19 @@ extern "C" {
     /// which it was awake. Either may be 0. Returns 1 if it was in a fluid; 0, with zeros, if not.
     pub fn dBodyGetFluidForce(body: dBodyID, force: *mut dReal, torque: *mut dReal) -> c_int;
     /// Make a body of the parts, whose geoms are on no body, where they are: at their common centre of mass, of
-    /// their masses and inertias added up, not turned. Returns the body. Refused: a geom on a body; out of
-    /// memory.
+    /// their masses and inertias added up, not turned. Returns the body.
     pub fn dFractureCreate(world: dWorldID, parts: *const dFracturePart, count: c_int) -> dBodyID;
     /// Break a body that has some of the parts. Those within radius of center (world, m; 0: all) become bodies of
     /// one part each; of the others those that touch each other stay together. The new bodies have the settings,
     /// data pointer and velocities of the old one, which is destroyed; joints are left without it. Of a
     /// kinematic body, what comes off is dynamic and the rest kinematic. Returns how many bodies it has become;
-    /// 0, with nothing changed, if that is none or one. Refused: a body that is 0 or destroyed; one with geoms that
-    /// are no parts; out of memory.
+    /// 0, with nothing changed, if it does not break.
     pub fn dFractureBreak(parts: *const dFracturePart, count: c_int, body: dBodyID, center: *const dReal, radius: dReal) -> c_int;
     /// Break whatever the last step has hit harder than its strength: each body that has two or more parts of one
     /// of count fractures. World-managed contacts count (dWorldSetContactSpace), with what will stop the approach
     /// that is left. The blow then has the strength and no more: a ball goes on through a pane with what is left of
-    /// its momentum. What was overloaded most breaks first. Call it before each step. Returns how many bodies
-    /// broke. Refused: a strength below 0; where a body cannot break, what dFractureBreak refuses.
+    /// its momentum. What was overloaded most breaks first. A body with geoms that are no parts
+    /// stays whole, with a message. Call it before each step. Returns how many bodies broke.
     pub fn dFractureUpdate(world: dWorldID, fractures: *const dFracture, count: c_int) -> c_int;
     /// Give the body the impulse at pos, which may be 0: impulse / mass in velocity, and its
     /// moment about the centre.
@@ -3293,7 +3291,7 @@ extern "C" {
     /// Choose how bodies under joints and contacts rotate: as ODE rotates them (mode 0, the default) or exactly
     /// (mode 1, dDefaultsGame and dDefaultsRobot), by the exponential map with the gyroscopic torque of the implicit midpoint rule: a free
     /// body keeps its energy and angular momentum while it turns by less than 2 rad in a step, a top its precession. What turns by less
-    /// than 1e-4 rad in a step shows no difference, rotates as ODE rotates it, and costs nothing. Bodies on nothing rotate exactly in both modes,
+    /// than 1e-6 rad in a step shows no difference, rotates as ODE rotates it, and costs nothing. Bodies on nothing rotate exactly in both modes,
     /// but with dBehaviour016 in mode 1 only. Other values are refused, as is a call during a step.
     pub fn dWorldSetExactRotation(world: dWorldID, mode: c_int);
     /// The mode that dWorldSetExactRotation has set, 0 at first.
