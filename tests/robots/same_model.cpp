@@ -282,8 +282,8 @@ class Models : Comparison {
                  same(what + " filter's range", a.filter.low, b.filter.low),
                      same(what + " filter's range", a.filter.high, b.filter.high);
                  each(what + " activation", a.activation, b.activation,
-                      [&](const std::string& its, const auto& x, const auto& y) {
-                          same(its, x[0], y[0]), same(its, x[1], y[1]);
+                      [&](const std::string& its, const auto& one, const auto& other) {
+                          same(its, one[0], other[0]), same(its, one[1], other[1]);
                       });
              });
     }
