@@ -76,7 +76,8 @@ int dRobotSetState(dRobotID robot, const dReal* numbers, int count)
 {
     constexpr const char* kWanted = "a robot, and the numbers that dRobotGetState returns for its model";
     robot = alive(robot);
-    CHECK(robot && count > 0 && numbers && are_usable(numbers, count), kWanted);
+    CHECK(robot && count > 0 && size_t(count) == robot->robot->state_size(), kWanted);
+    CHECK(numbers && are_usable(numbers, count), kWanted);
     return guarded(__func__, [&] {
         if (!check(robot->robot->set_state(doubles_of(numbers, count)), "dRobotSetState", kWanted)) return 0;
         robot->sensors->begin();

@@ -131,6 +131,7 @@ class Robot {
     void set_activation(int actuator, double value);
     // Controls, activations and servos: what acts next to the world's state (state.cpp).
     std::vector<double> state() const;
+    size_t state_size() const;
     // False: numbers that state() does not return; nothing changes.
     bool set_state(const std::vector<double>& numbers);
     // Of an actuator: how long what it moves is, times its gear, and how fast that grows.

@@ -2,7 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What a robot has in addition to its world's state, as numbers: of each actuator control, activation and input; whether filters act;
-// of each joint stiffness, damping and target of its servo; of each spatial tendon with friction or armature its past. A world's state has the drives that follow from them.
+// of each joint stiffness, damping and target of its servo; of each spatial tendon with friction or armature its past. A world's state
+// has the drives that follow from them.
 #include <ode/ext.h>
 
 #include <algorithm>
@@ -44,13 +45,18 @@ bool Robot::can_be_control(size_t actuator, double value) const
     return value == 0 || value == std::clamp(value, its.low, its.high);
 }
 
+size_t Robot::state_size() const
+{
+    size_t with_past = 0;
+    for (size_t i = 0; i < pasts_.size(); ++i) with_past += has_past(int(i));
+    return 3 * controls_.size() + 1 + 3 * servos_.size() + 4 * with_past;
+}
+
 bool Robot::is_state(const std::vector<double>& numbers) const
 {
     const size_t servos = 3 * controls_.size() + 1;
     const size_t pasts = servos + 3 * servos_.size();
-    size_t with_past = 0;
-    for (size_t i = 0; i < pasts_.size(); ++i) with_past += has_past(int(i));
-    if (numbers.size() != pasts + 4 * with_past) return false;
+    if (numbers.size() != state_size()) return false;
     for (size_t i = pasts; i < numbers.size(); i += 4)
         if (numbers[i] != 0 && numbers[i] != 1) return false;
     if (!std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); })) return false;

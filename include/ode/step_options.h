@@ -59,9 +59,8 @@ ODE_API int dWorldGetManifoldFriction(dWorldID world);
 
 /** - dWorldSetExactRotation: Choose how bodies under joints and contacts rotate: as ODE rotates them (mode 0, the default) or exactly
       (mode 1, dDefaultsGame and dDefaultsRobot), by the exponential map with the gyroscopic torque of the implicit midpoint rule: a free
-      body keeps its energy and angular momentum while it turns by less than 2 rad in a step, a top its precession. What turns by less
-      than 1e-6 rad in a step shows no difference, rotates as ODE rotates it, and costs nothing. Bodies on nothing rotate exactly in both modes,
-      but with dBehaviour016 in mode 1 only. Other values are refused, as is a call during a step.
+      body keeps its energy and angular momentum while it turns by less than 2 rad in a step, a top its precession. Bodies on nothing
+      rotate exactly in both modes, but with dBehaviour016 in mode 1 only. Other values are refused, as is a call during a step.
     - dWorldGetExactRotation: The mode that dWorldSetExactRotation has set, 0 at first. [ours] */
 ODE_API void dWorldSetExactRotation(dWorldID world, int mode);
 ODE_API int dWorldGetExactRotation(dWorldID world);

@@ -38,6 +38,7 @@ struct Overload {
     dBodyID body;
     const dFracture* fracture;
     Real excess;  // (p + q) / S, or infinity
+    int order;    // among those that were found, before they are sorted
     Break how;    // known when it breaks
 };
 
@@ -57,8 +58,10 @@ class Breakage {
         for (const PairImpulse& blow : impulses_)
             for (const dGeomID geom : {blow.g1, blow.g2})
                 if (!note(geom, load_of(blow))) return kOutOfMemory;
-        std::stable_sort(overloads_.begin(), overloads_.end(),
-                         [](const Overload& a, const Overload& b) { return a.excess > b.excess; });
+        // Without memory of its own, which std::stable_sort takes.
+        std::sort(overloads_.begin(), overloads_.end(), [](const Overload& a, const Overload& b) {
+            return a.excess != b.excess ? a.excess > b.excess : a.order < b.order;
+        });
         return nullptr;
     }
 
@@ -99,7 +102,7 @@ class Breakage {
             for (Overload& one : overloads_)
                 if (one.body == body)
                     return one.excess = std::max(one.excess, ratio(impulse, f.strength)), true;
-            return overloads_.push({body, &f, ratio(impulse, f.strength), {}});
+            return overloads_.push({body, &f, ratio(impulse, f.strength), int(overloads_.size()), {}});
         }
         return true;
     }

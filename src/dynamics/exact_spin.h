@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Accurate integration of rotation: of bodies on nothing, and with dWorldSetExactRotation of the others as far as they turn; ODE's own is in
+// Accurate integration of rotation: of bodies on nothing, and with dWorldSetExactRotation of all; ODE's own is in
 // integrate.h. The state is the angular momentum; `Body::spin_excess` is the part of it that the stored angular velocity does not show.
 #pragma once
 
@@ -11,19 +11,15 @@ namespace epode {
 
 inline bool is_unattached(const Body& body) { return !body.joints && !body.manifolds; }
 
-// A turn in a step, rad, below which the rotations are the same to rounding: bodies at rest pay nothing. (At 1e-4, trees of joints that passed it made energy.)
-inline constexpr Real kSlowTurn = Real(1e-6);
-
-inline bool turns_exactly(const World& world, const Body& body, Real h)
+inline bool turns_exactly(const World& world, const Body& body)
 {
-    if (is_unattached(body)) return world.exact_rotation || !world.acts_as_ode();
-    return world.exact_rotation && length2(body.angular_velocity()) * (h * h) > kSlowTurn * kSlowTurn;
+    return world.exact_rotation || (is_unattached(body) && !world.acts_as_ode());
 }
 
 // What the velocity lacks of a body that does not turn exactly any more.
 inline Vec3 release_excess(Body& body)
 {
-    if (!body.world->exact_rotation || body.spin_excess == Vec3{}) return {};
+    if (body.spin_excess == Vec3{}) return {};
     const Vec3 lacking = body.rotation() * (body.inv_inertia * body.spin_excess);
     body.spin_excess = {};
     return lacking;

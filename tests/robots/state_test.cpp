@@ -4,6 +4,7 @@
 // States of worlds with robots: they load whatever has been controlled before and after, and with a robot's own numbers
 // controls, activations and targets come back.
 #include <ode/ext.h>
+#include <climits>
 
 #include <string>
 #include <vector>
@@ -135,6 +136,7 @@ TEST_F(RobotStates, refuse_numbers_of_no_robot)
     refused(3, 2);   // whether filters act
     refused(4, -1);  // stiffness of a servo
     EXPECT_EQ(dRobotSetState(robot, good.data(), int(good.size()) - 1), 0);
+    EXPECT_EQ(dRobotSetState(robot, good.data(), INT_MAX), 0) << "reads no more than there are";
     EXPECT_EQ(dRobotSetState(nullptr, good.data(), int(good.size())), 0);
     EXPECT_EQ(dRobotGetState(robot, nullptr, -1), 0);
     EXPECT_EQ(dRobotGetControl(robot, 5), 0);

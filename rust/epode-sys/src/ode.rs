@@ -3290,9 +3290,8 @@ extern "C" {
     pub fn dWorldGetManifoldFriction(world: dWorldID) -> c_int;
     /// Choose how bodies under joints and contacts rotate: as ODE rotates them (mode 0, the default) or exactly
     /// (mode 1, dDefaultsGame and dDefaultsRobot), by the exponential map with the gyroscopic torque of the implicit midpoint rule: a free
-    /// body keeps its energy and angular momentum while it turns by less than 2 rad in a step, a top its precession. What turns by less
-    /// than 1e-6 rad in a step shows no difference, rotates as ODE rotates it, and costs nothing. Bodies on nothing rotate exactly in both modes,
-    /// but with dBehaviour016 in mode 1 only. Other values are refused, as is a call during a step.
+    /// body keeps its energy and angular momentum while it turns by less than 2 rad in a step, a top its precession. Bodies on nothing
+    /// rotate exactly in both modes, but with dBehaviour016 in mode 1 only. Other values are refused, as is a call during a step.
     pub fn dWorldSetExactRotation(world: dWorldID, mode: c_int);
     /// The mode that dWorldSetExactRotation has set, 0 at first.
     pub fn dWorldGetExactRotation(world: dWorldID) -> c_int;

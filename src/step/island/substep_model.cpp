@@ -106,7 +106,7 @@ void SubstepModel::in_groups(F&& f) const
 bool SubstepModel::begin_exact_turn(Body& body, SolverBody& solver, bool raised) const
 {
     if (!world_.exact_rotation || body.kinematic() || is_unattached(body)) return false;
-    if (!raised && turns_exactly(world_, body, info_.h)) return true;
+    if (!raised) return true;
     solver.w += release_excess(body);
     return false;
 }

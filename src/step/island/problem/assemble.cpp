@@ -231,9 +231,9 @@ void load_velocity(const Body& body, SolverBody& out)
     out.w = body.angular_velocity();
 }
 
-void load_pushed(Body& body, Real h, SolverBody& out)
+void load_pushed(const Body& body, Real h, SolverBody& out)
 {
-    const Vec3 w = body.angular_velocity() + release_excess(body);
+    const Vec3 w = body.angular_velocity();
     const Vec3 torque = load(body.tacc) + gyroscopic_torque(body, w, h);
     out.v = body.velocity() + (h * out.inv_mass) * load(body.facc);
     out.w = w + h * (out.inv_inertia * torque);
@@ -249,8 +249,8 @@ void load_all_pushed(const World& world, Real h, IslandWork& work)
 {
     for (std::size_t i = 0; i < work.island.bodies.size(); ++i) {
         Body& body = *work.island.bodies[i];
-        turns_exactly(world, body, h) ? load_pushed_exactly(body, h, work.system.bodies[i])
-                                      : load_pushed(body, h, work.system.bodies[i]);
+        turns_exactly(world, body) ? load_pushed_exactly(body, h, work.system.bodies[i])
+                                   : load_pushed(body, h, work.system.bodies[i]);
     }
 }
 
@@ -268,7 +268,7 @@ void load_body(const World& world, Real h, const ProblemForm& form, Body& body, 
     form.inertia ? load_mass_and_inertias(body, out) : load_inertia(body, out);
     if (form.keeps_momentum) return load_momentum(body, h, out);
     if (!form.has_substeps)
-        return turns_exactly(world, body, h) ? load_pushed_exactly(body, h, out) : load_pushed(body, h, out);
+        return turns_exactly(world, body) ? load_pushed_exactly(body, h, out) : load_pushed(body, h, out);
     load_velocity(body, out);
 }
 

@@ -54,7 +54,7 @@ inline constexpr int kLinesOfBody = 8;  // of the cache: all that a step reads o
 void load_inertia(const Body& body, SolverBody& out);  // the inverse only
 void load_velocity(const Body& body, SolverBody& out);
 // The present velocity with h M^-1 (accumulated + gyroscopic) on top; behind the inertia.
-void load_pushed(Body& body, Real h, SolverBody& out);
+void load_pushed(const Body& body, Real h, SolverBody& out);
 void load_pushed_exactly(Body& body, Real h, SolverBody& out);  // with exact rotation
 // v* of an island that was assembled with keeps_momentum, as they are without.
 void load_all_pushed(const World& world, Real h, IslandWork& work);
