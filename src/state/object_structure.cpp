@@ -74,7 +74,7 @@ void material(dMaterial& m, StructureStream& stream)
     stream.reals(m.surface_velocity, 3);
     for (Real* number : {&m.rolling_friction, &m.compliance, &m.damping_time}) stream.real(*number);
     int rule = m.friction_rule + kRules * m.priority;  // one number, as files of before priorities have it
-    int bounce = m.bounce_rule + kRules * m.kind;  // and the same of kinds
+    int bounce = m.bounce_rule + kRules * m.kind;      // and the same of kinds
     for (int* number : {&rule, &bounce, &m.rolling_friction_rule}) stream.number(*number);
     m.friction_rule = rule & (kRules - 1), m.priority = (rule - m.friction_rule) / kRules;
     m.bounce_rule = bounce & (kRules - 1), m.kind = (bounce - m.bounce_rule) / kRules;

@@ -196,16 +196,14 @@ TEST_P(RandomTrees, gain_no_energy)
 
 std::string name_of_way(const testing::TestParamInfo<Way>& way) { return way.param.name; }
 
-INSTANTIATE_TEST_SUITE_P(Ways, RandomTrees,
-                         testing::Values(Way{"exact", dWorldStep, 0},
-                                         Way{"exact_rotation", with_exact_rotation, 0},
-                                         Way{"exact_rotation_at_60", with_exact_rotation_at_60, 0},
-                                         Way{"exact_joints", with_exact_joints, 0},
-                                         Way{"quick", dWorldQuickStep, 5},
-                                         Way{"substeps4", in_substeps<4>, kSingle, 200},
-                                         Way{"substeps8", in_substeps<8>, kSingle, 200},
-                                         Way{"substeps16", in_substeps<16>, 0}),
-                         name_of_way);
+INSTANTIATE_TEST_SUITE_P(
+    Ways, RandomTrees,
+    testing::Values(Way{"exact", dWorldStep, 0}, Way{"exact_rotation", with_exact_rotation, 0},
+                    Way{"exact_rotation_at_60", with_exact_rotation_at_60, 0},
+                    Way{"exact_joints", with_exact_joints, 0}, Way{"quick", dWorldQuickStep, 5},
+                    Way{"substeps4", in_substeps<4>, kSingle, 200},
+                    Way{"substeps8", in_substeps<8>, kSingle, 200}, Way{"substeps16", in_substeps<16>, 0}),
+    name_of_way);
 
 }  // namespace
 }  // namespace epode::physics

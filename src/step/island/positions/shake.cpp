@@ -25,7 +25,7 @@ bool is_free(const IslandWork& work) { return work.system.rows.empty() && work.c
 void advance(const World& world, Body& body, Real h, bool free)
 {
     turns_exactly(world, body) ? advance_pose_exactly(body, h, free || is_unattached(body))
-                                  : advance_pose(body, h);
+                               : advance_pose(body, h);
 }
 
 class Shake {
