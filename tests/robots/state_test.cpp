@@ -140,7 +140,7 @@ TEST_F(RobotStates, refuse_numbers_of_no_robot)
     EXPECT_EQ(dRobotSetState(nullptr, good.data(), int(good.size())), 0);
     EXPECT_EQ(dRobotGetState(robot, nullptr, -1), 0);
     EXPECT_EQ(dRobotGetControl(robot, 5), 0);
-    EXPECT_EQ(messages, calls + 4);
+    EXPECT_EQ(messages, calls + 5);
     dSetMessageHandler(nullptr);
 }
 
