@@ -33,8 +33,9 @@ MAY_INCLUDE["assemblies"] = MAY_INCLUDE["step"] | {"step"}
 MAY_INCLUDE["state"] = MAY_INCLUDE["step"] | {"step"}
 MAY_INCLUDE["diagnose"] = MAY_INCLUDE["step"] | {"step"}
 MAY_INCLUDE["api"] = MAY_INCLUDE["state"] | {"state", "diagnose"}
-OUTSIDE = ["viewer", "view", "drawstuff", "demos", "scenes", "record", "robots", "cli", "bench", "tests/parity", "tests/clients", "tests/physics",
-           "tests/cli", "tests/viewer", "tests/view", "tests/drawstuff", "tests/record", "tests/abi"]
+OUTSIDE = ["viewer", "view", "drawstuff", "demos", "scenes", "record", "robots", "integrations", "cli", "bench", "tests/parity", "tests/clients", "tests/physics",
+           "tests/cli", "tests/viewer", "tests/view", "tests/drawstuff", "tests/record", "tests/abi",
+           "tests/gazebo"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
 
 # Rooms of the large folders: what each of them may include of its own folder.

@@ -1,0 +1,62 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+#
+# Judges the tables that run.sh --compare has written: features, energy, penetration and speed. Fails where a promise is not kept.
+import pathlib
+import sys
+
+# dartsim's that we lack, and why (docs/guide/gz_sim.md).
+LACKING = {"RetrieveWorld": "a pointer to DART's own world",
+           "ConstructSdfVisual": "the engine draws nothing",
+           "FreeJointCast": "loose links have no joint", "SetFreeJointRelativeTransformFeature": "the same",
+           "GetShapeFrictionPyramidSlipCompliance": "world-managed contacts do not slip by force",
+           "SetShapeFrictionPyramidSlipCompliance": "the same"}
+OURS = "libepode-physics-plugin"
+folder = pathlib.Path(sys.argv[1])
+problems = []
+
+
+def promise(kept, text):
+    print(("kept:   " if kept else "BROKEN: ") + text)
+    if not kept:
+        problems.append(text)
+
+
+def rows(name):
+    """Of a world's table: per plugin, lists of time, speed by processor time and by the clock, energy, lowest, fastest."""
+    table = {}
+    for line in (folder / f"{name}.tsv").read_text().splitlines():
+        plugin, *numbers = line.split("\t")
+        table.setdefault(plugin.strip(), []).append([float(number) for number in numbers])
+    return table
+
+
+features = [line.split("\t") for line in (folder / "features.tsv").read_text().splitlines() if "\t" in line]
+lacking = {row[0].strip() for row in features if len(row) > 2 and row[2] == "yes" and row[1] != "yes"}
+promise(lacking <= set(LACKING), f"all of dartsim's features but {', '.join(sorted(LACKING))}; lacking: {', '.join(sorted(lacking))}")
+
+pendulum = rows("double_pendulum")
+for plugin, its in pendulum.items():
+    # The pendulum falls through at most 3 m g l = 29.4 J.
+    drift = max(abs(row[3] - its[0][3]) for row in its) / 29.4
+    print(f"{plugin}: energy drift {drift:.2e} of what falls")
+    if plugin == OURS:
+        promise(drift < 1e-3, "energy of the double pendulum to 0.1 %")
+for plugin, its in rows("stack").items():
+    print(f"{plugin}: the lowest of five boxes is {0.25 - its[-1][4]:+.6f} m deep")
+    if plugin == OURS:
+        promise(abs(its[-1][4] - 0.25) < 1e-3, "boxes rest within 1 mm")
+
+shapes = rows("3k_shapes")
+ours = shapes[OURS]
+for plugin, its in shapes.items():
+    print(f"{plugin}: real-time factors of 3,000 shapes {', '.join(f'{row[1]:.3g} until {row[0]:g} s' for row in its)}")
+theirs = [its for plugin, its in shapes.items() if "dartsim" in plugin]
+if theirs:
+    last = theirs[0][-1][0]
+    awake = [row[1] for row in ours if row[0] - 0.5 < last]
+    theirs_mean = len(theirs[0]) / sum(1 / row[1] for row in theirs[0])
+    promise(min(awake) > 10 * theirs_mean, f"ten times dartsim's speed while they fall and lie: {min(awake) / theirs_mean:.1f}")
+promise(ours[-1][1] > 1, f"faster than real time once asleep: {ours[-1][1]:.3g}")
+sys.exit(1 if problems else 0)
