@@ -78,7 +78,8 @@ struct Joint : Entity {
         double min_velocity = -HUGE_VAL, max_velocity = HUGE_VAL;
         double min_effort = -HUGE_VAL, max_effort = HUGE_VAL;
         double stiffness = 0, spring_reference = 0, damping = 0, friction = 0;
-        double force = 0;  // for the next step
+        double force = 0;    // for the next step
+        double exerted = 0;  // in the last one
         bool is_velocity_commanded = false;
         double last_velocity = 0, acceleration = 0;
     };

@@ -47,8 +47,8 @@ double Joints::GetJointForce(const Identity& joint, std::size_t degree) const
 {
     const Joint* const found = joint_with(joint, degree);
     if (!found) return NAN;
-    const double next = found->axis[degree].force;
-    return next != 0 ? next : exerted_force(*found, degree);
+    const Joint::Axis& its = found->axis[degree];
+    return its.force != 0 ? its.force : its.exerted;
 }
 Joints::Pose3 Joints::GetJointTransform(const Identity& joint) const
 {

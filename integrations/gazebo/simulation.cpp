@@ -57,6 +57,7 @@ void finish(Joint& joint, double step)
     for (std::size_t i = 0; i < degrees_of(joint); ++i) {
         Joint::Axis& its = joint.axis[i];
         its.acceleration = (velocity_of(joint, i) - its.last_velocity) / step;
+        its.exerted = exerted_force(joint, i);
         if (its.force != 0) its.force = 0, put_drive(joint, i);
     }
 }

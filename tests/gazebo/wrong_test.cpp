@@ -113,12 +113,12 @@ TEST_F(Gazebo, PiecesMakeTheSameAsAWhole)
 
 TEST_F(Gazebo, MeshesAndHeightMaps)
 {
-    const WorldPtr world =
-        world_of(plane() +
-                 "<model name='hill'><static>true</static><pose>10 0 0 0 0 0</pose>"
-                 "<link name='l'/></model>" +
-                 "<model name='m'>" + link("l", "0 0 0.6 0 0 0") + "</model>" +
-                 body("ball", "10.4 -0.2 3.5 0 0 0", "<sphere><radius>0.2</radius></sphere>"));
+    const WorldPtr world = world_of(
+        plane() +
+        "<model name='hill'><static>true</static><pose>10 0 0 0 0 0</pose>"
+        "<link name='l'/></model>" +
+        "<model name='m'>" + link("l", "0 0 0.6 0 0 0") + "</model>" + "<model name='ball'>" +
+        link("l", "10.4 -0.2 2.5465 0 0 0", "<sphere><radius>0.2</radius></sphere>", 1, 0.016) + "</model>");
     gz::common::Mesh triangles;
     make_cube(triangles);
     const auto mesh =
@@ -133,6 +133,9 @@ TEST_F(Gazebo, MeshesAndHeightMaps)
     const Vec3 at = place(link_of(world, "ball")) - Vec3(10, 0, 0);
     const double height = (at.z() - at.x() - at.y() - 2) / std::sqrt(3.0);
     EXPECT_NEAR(height, 0.2, 2e-3);
+    // A ball that rolls from rest: v = 5/7 g sin(slope) t.
+    const double speed = link_of(world, "ball")->FrameDataRelativeToWorld().linearVelocity.norm();
+    EXPECT_NEAR(speed, 5.0 / 7 * kGravity * std::sqrt(2.0 / 3) * 0.3, 0.03);
     step(world, 700);
     EXPECT_NEAR(place(link_of(world, "m")).z(), 0.25, 1e-3);
 }
