@@ -12,8 +12,9 @@ class Robots : public Gazebo {
   protected:
     static std::string wheel(const std::string& name, double y)
     {
-        const std::string pose = "0 " + std::to_string(y) + " 0.1 -1.5707963267948966 0 0";
-        return link(name, pose, "<cylinder><radius>0.1</radius><length>0.04</length></cylinder>", 0.5, 0.003);
+        // Round across too: the track is known where a flat rim rubs along its width.
+        return link(name, "0 " + std::to_string(y) + " 0.1 0 0 0", "<sphere><radius>0.1</radius></sphere>",
+                    0.5, 0.002);
     }
     static std::string joint(const std::string& name, const std::string& type, const std::string& parent,
                              const std::string& child, const std::string& axis)
