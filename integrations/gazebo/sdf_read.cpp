@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See sdf_read.h. docs/guide/gazebo.md has the table of what is honoured.
+// See sdf_read.h. docs/guide/gz_sim.md has the table of what is honoured.
 #include "integrations/gazebo/sdf_read.h"
 
 #include <sdf/Physics.hh>

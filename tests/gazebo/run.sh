@@ -35,7 +35,7 @@ echo "== 3,000 shapes"
 "$drive" run out/gazebo/3k_shapes.sdf 3000 500 "$ours" | tee out/gazebo/3k_shapes.tsv
 # The others are asked for less: dartsim simulates a second in minutes.
 for other in "${theirs[@]}"; do
-  "$drive" run out/gazebo/3k_shapes.sdf "${EPODE_GAZEBO_STEPS:-300}" 50 "$other" | tee -a out/gazebo/3k_shapes.tsv
+  "$drive" run out/gazebo/3k_shapes.sdf "${EPODE_GAZEBO_STEPS:-500}" 50 "$other" | tee -a out/gazebo/3k_shapes.tsv
 done
 # What is promised: all of dartsim's features but what docs/guide/gz_sim.md names, and the speed.
 python3 tests/gazebo/judge.py out/gazebo
