@@ -84,10 +84,10 @@ TEST_F(RobotOverlaps, do_not_throw_the_robot)
     for (const int preset : {dDefaultsOde, dDefaultsGame, dDefaultsRobot}) {
         dWorldID own = dWorldCreate();
         dWorldUseDefaults(own, preset);
-        const dSpaceID space = dHashSpaceCreate(nullptr);
-        dWorldSetContactSpace(own, space);
+        const dSpaceID geoms = dHashSpaceCreate(nullptr);
+        dWorldSetContactSpace(own, geoms);
         load(shoulder(".05"));
-        const dRobotID arm = dRobotCreate(own, space, model, nullptr, nullptr);
+        const dRobotID arm = dRobotCreate(own, geoms, model, nullptr, nullptr);
         const dReal start[] = {dReal(0.3), dReal(0.7), dReal(-0.2)};
         dRobotSetPositions(arm, start, 3);
         dReal fastest = 0, rates[3];
@@ -99,7 +99,7 @@ TEST_F(RobotOverlaps, do_not_throw_the_robot)
         EXPECT_LT(fastest, 1e-3) << preset;
         dRobotDestroy(arm);
         dWorldDestroy(own);
-        dSpaceDestroy(space);
+        dSpaceDestroy(geoms);
     }
 }
 

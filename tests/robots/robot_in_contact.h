@@ -5,12 +5,11 @@
 #pragma once
 
 #include <epode/robot_sensors.h>
-#include <epode/robots.h>
-#include <gtest/gtest.h>
 #include <ode/ext.h>
 
-#include <string>
 #include <vector>
+
+#include "robot_in_world.h"
 
 // A tolerance, in floats a wider one.
 inline double fine(double in_doubles, double in_floats = 1e-2)
@@ -18,12 +17,10 @@ inline double fine(double in_doubles, double in_floats = 1e-2)
     return sizeof(dReal) == 8 ? in_doubles : in_floats;
 }
 
-class RobotInContact : public testing::Test {
+class RobotInContact : public RobotInWorld {
   protected:
     RobotInContact()
     {
-        dInitODE2(0);
-        world = dWorldCreate();
         space = dHashSpaceCreate(nullptr);
         dWorldSetContactSpace(world, space);
     }
@@ -31,16 +28,6 @@ class RobotInContact : public testing::Test {
     {
         drop();
         dSpaceDestroy(space);
-        dWorldDestroy(world);
-        dCloseODE();
-    }
-    void load(const std::string& text)
-    {
-        drop();
-        model = dRobotModelLoadText("robot.xml", text.data(), text.size(), nullptr);
-        ASSERT_EQ(dRobotModelHasErrors(model), 0);
-        robot = dRobotCreate(world, space, model, nullptr, nullptr);
-        ASSERT_NE(robot, nullptr);
     }
     void step(int count, double h = 0.002)
     {
@@ -61,18 +48,5 @@ class RobotInContact : public testing::Test {
         std::vector<dReal> out(size_t(dRobotModelGetNumVelocities(model)));
         dRobotGetVelocities(robot, out.data(), int(out.size()));
         return {out.begin(), out.end()};
-    }
-
-    dWorldID world;
-    dSpaceID space;
-    dRobotModelID model = nullptr;
-    dRobotID robot = nullptr;
-
-  private:
-    void drop()
-    {
-        if (robot) dRobotDestroy(robot);
-        if (model) dRobotModelDestroy(model);
-        robot = nullptr, model = nullptr;
     }
 };

@@ -28,19 +28,19 @@ class RobotInWorld : public testing::Test {
         drop();
         model = dRobotModelLoadText("robot.xml", text.data(), text.size(), nullptr);
         ASSERT_EQ(dRobotModelHasErrors(model), 0);
-        robot = dRobotCreate(world, nullptr, model, nullptr, nullptr);
+        robot = dRobotCreate(world, space, model, nullptr, nullptr);
         ASSERT_NE(robot, nullptr);
     }
 
-    dWorldID world;
-    dRobotModelID model = nullptr;
-    dRobotID robot = nullptr;
-
-  private:
     void drop()
     {
         if (robot) dRobotDestroy(robot);
         if (model) dRobotModelDestroy(model);
         robot = nullptr, model = nullptr;
     }
+
+    dWorldID world;
+    dSpaceID space = nullptr;  // none
+    dRobotModelID model = nullptr;
+    dRobotID robot = nullptr;
 };

@@ -13,17 +13,13 @@ namespace {
 // which differed by rounding, agreed.)
 TEST(ProjectionReach, leaves_crates_between_rams)
 {
-    for (const auto& [h, shift] : {std::pair{1.0 / 60, 0.0},
-                                   {1.0 / 240, 0.0},
-                                   {1.0 / 60, 2e-4},
-                                   {1.0 / 240, 2e-4},
-                                   {1.0 / 500, 1e-3}}) {
+    for (const double h : {1.0 / 60, 1.0 / 240}) {
         Sim sim;
         sim.gravity(0, 0, -9.81);
         dWorldUseDefaults(sim.world, dDefaultsRobot);
         dWorldSetContactSpace(sim.world, sim.space);
         sim.ground();
-        for (const double x : {-0.52, shift, 0.52}) sim.box({x, 0, 0.25}, {0.5, 0.5, 0.5}, 20);
+        for (const double x : {-0.52, 0.0, 0.52}) sim.box({x, 0, 0.25}, {0.5, 0.5, 0.5}, 20);
         const dBodyID rams[] = {sim.box({-1, 0, 1.05}, {0.2, 2, 2}, 1),
                                 sim.box({1, 0, 1.05}, {0.2, 2, 2}, 1)};
         for (const dBodyID ram : rams) dBodySetKinematic(ram);
@@ -40,10 +36,9 @@ TEST(ProjectionReach, leaves_crates_between_rams)
                 fastest = std::max(fastest, length(velocity(sim.bodies[std::size_t(i)])));
             }
         }
-        // One may slip up, lie on the others, and fall from there: whether one does, a shift by 0.1 mm decides.
-        EXPECT_LT(highest, 1.1) << h;
-        EXPECT_LT(jump, 0.5) << h;  // by no more than crates overlap
-        EXPECT_LT(fastest, 3.5) << h;
+        EXPECT_LT(highest, 0.8) << h;  // one may slip up, and lie on others
+        EXPECT_LT(jump, 0.5) << h;     // by no more than crates overlap
+        EXPECT_LT(fastest, 2) << h;
     }
 }
 
