@@ -34,7 +34,7 @@ bool deflate_all(z_stream& stream, std::span<const std::uint8_t> bytes, std::vec
         out.resize(end + deflateBound(&stream, uLong(piece)) + kMargin);
         stream.next_out = out.data() + end, stream.avail_out = uInt(out.size() - end);
         const int result = deflate(&stream, bytes.empty() ? Z_FINISH : Z_FULL_FLUSH);
-        out.resize(out.size() - stream.avail_out);
+        out.erase(out.end() - std::ptrdiff_t(stream.avail_out), out.end());
         if (result != Z_OK && result != Z_STREAM_END) return false;
         ended = result == Z_STREAM_END;
     }
