@@ -6,13 +6,16 @@
 //   (J M^-1 J^T + C) dp = c - J v - C p,
 //
 // is done here for the rows of all joints at once, so that no iteration between joints remains however
-// unequal the masses are. The matrix has a block of six for each joint (several for a joint with more rows)
-// and one for each pair of joints on a body that moves. It is as sparse as the joints' graph, and a tree of
-// joints has no fill. The kernel of the exact solver (solve/exact/factor/block_cholesky) factors it once per
-// pose; every visit solves with it. The dual matrix and not the primal 1 + J^T D J of the exact solver:
-// joints have few rows per body, C = 0 needs no refinement, and a row on its bound costs one row and column
-// of ones. Bounds: a row that leaves them is held on its bound, and a held row that pulls away from it is
-// released, for a few rounds; which rows are held is remembered from visit to visit.
+// unequal the masses are. Joints of the same two bodies are one. Where they are trees, each tree is eliminated
+// from its leaves (joint_forest.h), else all are factored together (joint_loops.h): once per pose; every visit
+// solves with it.
+//
+// Bounds: a row whose impulse would leave them is taken out of the factor, and the rest is solved again. A stop is
+// held on its bound until it pulls away from there. Friction and drives of limited force are swept from then on:
+// before each solution their own equation is solved within its bounds, as a sweep does. Both are exact steps of
+// one descent, of a row and of all others, so a visit cannot make matters worse. What sweeps take off its
+// bound goes into the factor, once a step. Rows of friction change sides in every visit of a pile of figures: held
+// and released as stops are, they had cost a factor each time.
 #pragma once
 
 #include <span>
@@ -21,9 +24,10 @@
 #include "rows/row_system.h"
 #include "solve/common/substep_rows.h"
 #include "solve/common/velocities.h"
-#include "solve/exact/factor/block_cholesky.h"
-#include "solve/exact/factor/symbolic_cache.h"
 #include "solve/joints/joint_kernels.h"
+#include "solve/substeps/joint_forest.h"
+#include "solve/substeps/joint_loops.h"
+#include "solve/substeps/network_rows.h"
 
 namespace epode {
 
@@ -49,34 +53,18 @@ class JointNetwork {
     void describe(std::span<RowNumbers> numbers, std::span<Row> rows) const;
     void apply_restitution(const RowSystem& system, std::span<Velocity> bodies);
 
-    int factorisations() const { return factorisations_; }
+    int factorisations() const;  // of the whole, rounded up
 
   private:
-    enum class Hold : unsigned char { kFree, kLow, kHigh };
-    struct NetworkRow {
-        Vec3 lin[2], ang[2], turn[2];  // turn = I^-1 ang
-        Real c, c_relaxed, C;
-        Real lo, hi, p;  // of a row with a parent: hi is the coefficient
-        Real sum;        // of p over the earlier substeps
-        int parent;      // in the rows of the network, or -1
-        Hold hold;
+    // Joints that are factored together: a tree, or all.
+    struct Group {
+        int first, last;
+        bool stale;
     };
-    struct NetworkJoint {
-        int first, count, source;
-        int body[2];  // into the velocities
-        Real inv_mass[2];
-        double* diagonal;
-    };
-    // Two joints on one body: sides 0 and 1 are a joint's first and second body.
-    struct Coupling {
-        int a, b;
-        int side_a, side_b;
-        double* block;
-        bool transposed;
-    };
-
-    bool list_joints(const RowSystem& system, Arena& arena);
-    bool list_couplings(const RowSystem& system, Arena& arena);
+    bool list_joints(const RowSystem& system, int most_rows, Arena& arena);
+    static NetworkJoint network_joint(const RowBlock& piece, const RowSystem& system);
+    static bool extend(NetworkJoint& joint, const RowBlock& piece, const RowSystem& system, int most_rows);
+    bool find_trees(Arena& arena);
     std::span<NetworkRow> rows_of(const NetworkJoint& joint) const
     {
         return rows_.subspan(std::size_t(joint.first), std::size_t(joint.count));
@@ -84,27 +72,31 @@ class JointNetwork {
     void load_row(const Row& row, const SolverBody* const (&bodies)[2], const Substep& step,
                   NetworkRow& out) const;
     void pack_row(const RowNumbers& n, const NetworkJoint& joint, NetworkRow& row);
-    void factor();
-    void fill_diagonal(const NetworkJoint& joint);
-    void fill_coupling(const Coupling& coupling);
+    std::span<NetworkJoint> joints_of(const Group& group)
+    {
+        return joints_.subspan(std::size_t(group.first), std::size_t(group.last - group.first));
+    }
+    void factor(std::size_t group);
 
-    Real bound(const NetworkRow& row) const;
     void bounds(const NetworkRow& row, Real& lo, Real& hi) const;
-    void put_on_bounds(std::span<Velocity> bodies);
-    void solve_free(std::span<Velocity> bodies, bool relax);
-    bool change_holds(std::span<Velocity> bodies, bool relax, bool may_let_go);
+    void visit(std::size_t group, std::span<Velocity> bodies, bool relax);
+    void sweep_rows(Group& group, std::span<Velocity> bodies, bool relax);
+    void solve(std::size_t group, std::span<Velocity> bodies, bool relax);
+    bool leave_factor(Group& group, std::span<Velocity> bodies);
+    bool release(Group& group, std::span<const Velocity> bodies, bool relax);
 
     static Real velocity(const NetworkRow& row, const NetworkJoint& joint, std::span<const Velocity> bodies);
     static void apply(const NetworkRow& row, const NetworkJoint& joint, Real dp, std::span<Velocity> bodies);
 
+    const RowSystem* system_ = nullptr;
     std::span<NetworkJoint> joints_;
     std::span<NetworkRow> rows_;
-    std::span<Coupling> couplings_;
-    std::span<double> x_;  // six numbers per joint
-    SymbolicLease lease_;
-    BlockCholesky A_;
-    bool worth_ = false, bounded_ = false, stale_ = true;
-    int factorisations_ = 0;
+    std::span<Group> groups_;
+    std::span<double> x_;  // a number for each row
+    JointForest forest_;
+    JointLoops loops_;
+    bool worth_ = false, bounded_ = false;
+    int factored_ = 0;  // joints
 };
 
 }  // namespace epode

@@ -27,7 +27,7 @@ constexpr int kLargeManifolds = 256;  // of an island whose sweeps all workers m
 // Sweeps over manifolds read more memory for each and read it more often than those over rows.
 constexpr int kMaxWeight = 512;
 constexpr Real kWarmShare = Real(0.9);
-constexpr int kSettlingFactor = 4;
+constexpr int kSettlingFactor = 4, kSettlingIfExact = 2;
 constexpr ProblemForm kForm{
     .contact_manifolds = true, .cones = true, .keeps_depth = true, .has_substeps = true};
 
@@ -72,7 +72,9 @@ class SubstepRun {
     int count() const
     {
         const bool sweeps_joints = !exact_joints_ && has_lasting_joints(run_.work.island);
-        return sweeps_joints ? swept() : std::max(1, run_.settling_iterations(kSettlingFactor));
+        return sweeps_joints ? swept()
+                             : std::max(1, run_.settling_iterations(exact_joints_ ? kSettlingIfExact
+                                                                                  : kSettlingFactor));
     }
     int swept() const { return std::max(1, run_.context.iterations * substep_factor(run_.work.island)); }
 

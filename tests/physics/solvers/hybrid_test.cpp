@@ -305,6 +305,13 @@ TEST(Hybrid, tied_boxes_slide_as_far_as_friction_lets_them)
 
 // ---- which island is solved how
 
+void join_by_ball(Hybrid& sim, dBodyID a, dBodyID b, V3 at)
+{
+    const dJointID joint = dJointCreateBall(sim.world, nullptr);
+    dJointAttach(joint, a, b);
+    dJointSetBallAnchor(joint, real(at.x), real(at.y), real(at.z));
+}
+
 TEST(Hybrid, chooses_by_structure)
 {
     Hybrid sim;
@@ -319,14 +326,18 @@ TEST(Hybrid, chooses_by_structure)
     for (int i = 0; i < 150; ++i)
         pile.push_back(sim.box({49 + 0.5 * (i % 6), 0.5 * (i / 6 % 5) - 1, 1.6 + 0.5 * (i / 30)},
                                {0.45, 0.45, 0.45}, 1));
-    // A body with more joints than a sparse factor can hold.
-    const dBodyID hub = sim.sphere({80, 0, 20}, 1, 100);
-    for (int i = 0; i < 60; ++i) {
-        const dJointID j = dJointCreateBall(sim.world, nullptr);
-        const dBodyID leaf = sim.body({80 + 0.1 * i, 0, 22}, 1, 0.1);
-        dJointAttach(j, hub, leaf);
-        dJointSetBallAnchor(j, real(80 + 0.1 * i), 0, 21);
-    }
+    // Bodies with many joints: a star is a tree, and a wheel has more pairs of joints on its hub than a sparse factor can hold.
+    const auto many_joints = [&](double x, bool wheel) {
+        const dBodyID hub = sim.sphere({x, 0, 20}, 1, 100);
+        dBodyID last = nullptr;
+        for (int i = 0; i < 60; ++i) {
+            const dBodyID leaf = sim.body({x + 0.1 * i, 0, 22}, 1, 0.1);
+            join_by_ball(sim, hub, leaf, {x + 0.1 * i, 0, 21});
+            if (wheel && last) join_by_ball(sim, last, leaf, {x + 0.1 * i - 0.05, 0, 22});
+            last = leaf;
+        }
+    };
+    many_joints(80, false), many_joints(120, true);
     sim.run(60);
     const auto is_exact = [](int m) { return m >= dIslandMethodDense && m <= dIslandMethodInteriorPoint; };
     EXPECT_TRUE(is_exact(sim.method_of(chain.links.back())));
@@ -351,10 +362,14 @@ TEST(Hybrid, chooses_by_structure)
     EXPECT_EQ(sim.method_of(box), dIslandMethodSweeps);
     dWorldSetHybridStepper(sim.world, dStepperSubstepsExactJoints);
     sim.run(1);
-    int hub_method = -1;
-    for (dBodyID b : sim.bodies)
-        if (position(b).x > 79) hub_method = std::max(hub_method, sim.method_of(b));
-    EXPECT_EQ(hub_method, dIslandMethodSubsteps);
+    const auto method_between = [&](double from, double to) {
+        int method = -1;
+        for (dBodyID b : sim.bodies)
+            if (position(b).x > from && position(b).x < to) method = std::max(method, sim.method_of(b));
+        return method;
+    };
+    EXPECT_EQ(method_between(79, 110), dIslandMethodSubstepsExactJoints);
+    EXPECT_EQ(method_between(110, 150), dIslandMethodSubsteps);
 }
 
 // A trunk of 100 kg on four legs with feet of 1 kg, its hinges held by motors.
