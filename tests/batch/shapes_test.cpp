@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Pairs of shapes whose points the library's own pair functions find: against dWorldStep, what stands, slides and is held.
+#include "golden/golden.h"
 #include "models.h"
 
 #include <ode/ext.h>
@@ -284,8 +285,8 @@ TEST(BatchBits, of_asked_pairs_are_golden)
 {
     if (sizeof(dReal) == 4) GTEST_SKIP() << "step sizes and states pass through dReal";
     const std::uint64_t doubles = hash_of_stacks<double>(6), floats = hash_of_stacks<float>(6);
-    EXPECT_EQ(doubles, 2110222513127091931u);
-    EXPECT_EQ(floats, 1239895053628438294u);
+    EXPECT_TRUE(golden::is_golden("batch/stacks/double", doubles));
+    EXPECT_TRUE(golden::is_golden("batch/stacks/float", floats));
     EXPECT_EQ(hash_of_stacks<double>(1), doubles);
     EXPECT_EQ(hash_of_stacks<float>(3, 2), floats);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Behaviour versions (dWorldSetBehaviour): each number is frozen by literal hashes, in double precision; 0.16
+// Behaviour versions (dWorldSetBehaviour): each number is frozen by golden hashes, in double precision; 0.16
 // draws from dRand, sweeps and sleeps as ODE documents it (tests/parity compares it with Debian's library);
 // results do not depend on threads or batches; a state goes on with the same bits if the seed is kept, too.
 #include <algorithm>
-#include <cstdio>
 
+#include "golden/golden.h"
 #include "scenes.h"
 
 namespace epode::physics {
@@ -56,37 +56,21 @@ std::uint64_t sleep(int version, Stepper stepper, bool world_contacts)
     return hash_state(sim) ^ asleep;
 }
 
-// Rows: version; columns: pile, machine, wall, by exact, quick, fast each, then sleep by exact, quick, fast, in
-// ODE's contacts and in world-managed ones.
-constexpr std::uint64_t kFrozen[2][15] = {
-    {0xedf4cb3a74d4182au, 0x55bde587beb6b7c6u, 0x2f0097a98a30f157u, 0x950a8b4de1cfdfa8u, 0x4d08ce945ef07bccu,
-     0x5b0a9d0323b99e20u, 0x7f29693ccac650b5u, 0x4ef5e87dad4f9a77u, 0x5330781550d1e10bu, 0x449817ff3d2f39a9u,
-     0xda32851a18dd0270u, 0x5bd3173aaf1ce048u, 0x190cb0f22f218b70u, 0x468f6d52d50e2325u, 0x4e35974cc7953021u},
-    {0x4e1326d9937ee89cu, 0x1c09342e6eef9583u, 0xd8ffa4416c3ba914u, 0x1609d734c375797fu, 0x08dede3ee627acd4u,
-     0xb6e656e1606c7d07u, 0xc3b699b68cd79821u, 0xe9dfbc0291b695f9u, 0xb7f82283a284fb36u, 0xe8b88e54d43c1cbcu,
-     0x8a7a7b44f1327988u, 0xb599c96bdbbebfc4u, 0xf1c0b82872d632cau, 0x5d7d14dbdbedb576u,
-     0x0b91e2f20915fc35u}};
-
 TEST(Behaviour, is_frozen)
 {
     if (kSingle) GTEST_SKIP() << "the table is that of double precision";
-    std::string table;
-    for (int v = 0; v < 2; ++v) {
-        std::vector<std::uint64_t> got;
-        for (Scene scene : kScenes)
-            for (Stepper stepper : kSteppers) got.push_back(run(kVersions[v], scene, stepper));
-        for (bool world_contacts : {false, true})
-            for (Stepper stepper : kSteppers) got.push_back(sleep(kVersions[v], stepper, world_contacts));
-        for (std::size_t i = 0; i < got.size(); ++i) {
-            char text[32];
-            std::snprintf(text, sizeof text, "%s0x%016llxu", i ? ", " : "\n{",
-                          static_cast<unsigned long long>(got[i]));
-            table += text;
-            EXPECT_EQ(got[i], kFrozen[v][i]) << kVersions[v] << ' ' << i;
+    for (const int version : kVersions) {
+        const std::string family =
+            version == dBehaviour016 ? "physics/behaviour_016/" : "physics/behaviour_1/";
+        for (Stepper stepper : kSteppers) {
+            for (Scene scene : kScenes)
+                EXPECT_TRUE(golden::is_golden(family + name_of(scene) + '/' + name_of(stepper),
+                                              run(version, scene, stepper)));
+            const std::string sleeping = family + "sleep/" + name_of(stepper);
+            EXPECT_TRUE(golden::is_golden(sleeping, sleep(version, stepper, false)));
+            EXPECT_TRUE(golden::is_golden(sleeping + "/world_contacts", sleep(version, stepper, true)));
         }
-        table += "},";
     }
-    if (HasFailure()) std::printf("now: %s\n", table.c_str());
 }
 
 TEST(Behaviour, of_a_new_world_is_the_newest_and_can_be_changed_between_steps)

@@ -3,11 +3,10 @@
 //
 // Five scenes, 500 steps, three steppers, contacts by the program and by the world: the bits at the end are
 // these, on any number of threads (EPODE_TEST_THREADS, default 3), with any kernels (EPODE_KERNELS) and from
-// any compiler; scripts/nightly goes through all of that. After a change of the mathematics that is meant,
-// the failing tests print what to put here.
-#include <cstdio>
+// any compiler; scripts/nightly goes through all of that.
 #include <cstdlib>
 
+#include "golden/golden.h"
 #include "scenes.h"
 
 namespace epode::physics {
@@ -103,19 +102,6 @@ std::uint64_t run(int scene, Stepper stepper, bool world_contacts)
     return hash_state(sim);
 }
 
-// Of each scene: exact, quick, fast in ODE's way, and the same with world-managed contacts.
-constexpr std::uint64_t kGolden[kLongScenes][6] = {
-    {0xe39dbf8c18e3311eu, 0x57c3936dadcca626u, 0x5f6351861e830b3du, 0x79a5ff5a4cb5cd5au, 0x277aeee4f37e75d0u,
-     0x1f31b4fa4dfef465u},
-    {0x7dbdf1b17f3f3468u, 0x759559af14e6837du, 0x3406139ca1cad730u, 0xfa26f86fa15556d7u, 0x3322cd691d6c6a27u,
-     0xcb496a0bbb38f258u},
-    {0xe0dddcddc477eb9cu, 0x73b4f671adc0e19fu, 0x190c4a65718c9678u, 0x2094c266dcfcf12bu, 0x0d51440aa6c69444u,
-     0xeff65416d6ada85fu},
-    {0xea268dd3ec043070u, 0x0cc91adf31b34e73u, 0xcae10c485eb4ef39u, 0x8c413440b07dcbddu, 0xeee2f8879a2e7aebu,
-     0x0eb74350f025fa4eu},
-    {0x16c5b403462cb0bdu, 0xf6ec91e959729a5au, 0xc507aa95e4cb0497u, 0x5d4baafe00f9c562u, 0x395be0f52591cdc9u,
-     0x1cacec099b168053u}};
-
 class LongRuns : public testing::TestWithParam<int> {};
 
 TEST_P(LongRuns, end_with_these_bits)
@@ -123,16 +109,12 @@ TEST_P(LongRuns, end_with_these_bits)
     if (kSingle) GTEST_SKIP() << "the table is that of double precision";
     if (kSlowed) GTEST_SKIP() << "takes minutes under a sanitizer; shorter runs are watched";
     const int scene = GetParam();
-    std::string now;
-    bool same = true;
-    for (std::size_t k = 0; k < 6; ++k) {
-        const std::uint64_t got = run(scene, kSteppers[k % 3], k >= 3);
-        char text[32];
-        std::snprintf(text, sizeof text, "%s0x%016llxu", k ? ", " : "", static_cast<unsigned long long>(got));
-        now += text;
-        same = same && got == kGolden[scene][k];
-    }
-    EXPECT_TRUE(same) << kNames[scene] << " now: {" << now << "}";
+    for (const bool world_contacts : {false, true})
+        for (const Stepper stepper : kSteppers) {
+            const std::string name = std::string("physics/long_runs/") + kNames[scene] + '/' +
+                                     name_of(stepper) + (world_contacts ? "/world_contacts" : "");
+            EXPECT_TRUE(golden::is_golden(name, run(scene, stepper, world_contacts)));
+        }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, LongRuns, testing::Range(0, kLongScenes),

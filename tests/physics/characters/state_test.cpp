@@ -3,6 +3,7 @@
 //
 // Characters in states, histories, clones and files: they go on with the same bits. And the same bits on every
 // machine and thread count: a literal hash.
+#include "golden/golden.h"
 #include "stage.h"
 
 #include <cstring>
@@ -156,7 +157,7 @@ TEST(CharacterBits, are_the_same_everywhere)
         Course a(0);  // without the solvers, which have hashes of their own
         dWorldSetStepThreads(a.world, threads);
         a.steps(0, 400);
-        EXPECT_EQ(hash_of({a.first, a.second}), 2025191559834673348u);
+        EXPECT_TRUE(golden::is_golden("physics/characters", hash_of({a.first, a.second})));
     }
 }
 #endif

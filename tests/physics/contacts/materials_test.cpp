@@ -6,6 +6,7 @@
 // in the same world do not notice.
 #include <algorithm>
 
+#include "golden/golden.h"
 #include "rig.h"
 
 namespace epode::physics {
@@ -190,11 +191,10 @@ TEST_P(Materials, leave_the_bits_of_hard_bodies_in_the_same_world)
 TEST(MaterialBits, are_these)
 {
     if (kSingle) GTEST_SKIP() << "of doubles";
-    constexpr std::uint64_t kGolden[3] = {0x2b1bb778d393002cu, 0xd6a493f46ad640d8u, 0x0546c9978ff820ebu};
-    for (int k = 0; k < 3; ++k) {
+    for (const Stepper stepper : kSteppers) {
         std::uint64_t all = 0;
-        pile_with_others(kSteppers[k], 1, true, &all);
-        EXPECT_EQ(all, kGolden[k]) << name_of(kSteppers[k]) << std::hex << " now 0x" << all;
+        pile_with_others(stepper, 1, true, &all);
+        EXPECT_TRUE(golden::is_golden(std::string("physics/materials/") + name_of(stepper), all));
     }
 }
 
