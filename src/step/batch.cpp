@@ -68,6 +68,12 @@ bool calls_program(const Body& body)
     return calls;
 }
 
+bool calls_program(const ContactWorld& contacts)
+{
+    return contacts.filter || (contacts.function && !contacts.function_on_threads) ||
+           calls_program_inside(*contacts.live_space());
+}
+
 // Worlds that draw from the process's generator take turns as well, in the order of the array.
 bool calls_program(World& world)
 {
@@ -76,10 +82,7 @@ bool calls_program(World& world)
         if (calls_program(body)) return true;
     const ContactWorld* contacts = world_contacts(world);
     if (!contacts && !any_continuous()) return false;
-    if (any_overridden() ||
-        (contacts && (contacts->filter || (contacts->function && !contacts->function_on_threads))))
-        return true;
-    if (contacts && calls_program_inside(*contacts->live_space())) return true;
+    if (any_overridden() || (contacts && calls_program(*contacts))) return true;
     if (!any_continuous()) return false;
     bool calls = false;
     for_spaces(world, [&](Space* space) { calls = calls || calls_program_inside(*space); });

@@ -88,16 +88,21 @@ bool TreeSolve::collect(Arena& arena)
     return true;
 }
 
+bool TreeSolve::is_joint_of(int link, int parent) const
+{
+    if (link < 0) return false;
+    const TreeLink& its = tree_->link(link);
+    return its.parent == parent && its.joint != LinkJoint::kFree;
+}
+
 // Between a link and its parent only the link's own dofs move.
 bool TreeSolve::take_yield(const RowBlock& block, int source)
 {
     const RowNumbers& n = system_->numbers[std::size_t(source)];
     if (block.contact || block.term_count > 0 || n.bounded() || n.parent >= 0 || !(n.C > 0)) return false;
     const int a = tree_->link_of_body(block.body1), b = tree_->link_of_body(block.body2);
-    const bool is_first = a >= 0 && tree_->link(a).parent == b && tree_->link(a).joint != LinkJoint::kFree;
-    const bool is_second =
-        !is_first && b >= 0 && tree_->link(b).parent == a && tree_->link(b).joint != LinkJoint::kFree;
-    if (!is_first && !is_second) return false;
+    const bool is_first = is_joint_of(a, b);
+    if (!is_first && !is_joint_of(b, a)) return false;
     const TreeLink& link = tree_->link(is_first ? a : b);
     if ((is_first ? block.body2 : block.body1) >= 0 && link.parent < 0)
         return false;  // a kinematic body that may move
@@ -200,7 +205,36 @@ void TreeSolve::write_row(int i)
     scale_ = std::max({scale_, std::fabs(c), std::fabs(v - c)});
 }
 
-// A disc's second row is measured by the ratio of the two bounds, so that the disc is round.
+bool TreeSolve::is_disc(int i) const
+{
+    const TreeRow& first = rows_[std::size_t(i)];
+    if (!system_->blocks[std::size_t(first.block)].coulomb || i + 1 >= int(rows_.size())) return false;
+    const TreeRow& next = rows_[std::size_t(i) + 1];
+    const auto bounds_friction = [&](const TreeRow& row) {
+        const Real hi = system_->numbers[std::size_t(row.source)].hi;
+        return hi > 0 && hi < kInf && system_->rows[std::size_t(row.source)].lin1 != Vec3{};
+    };
+    const auto parent = [&](const TreeRow& row) { return system_->numbers[std::size_t(row.source)].parent; };
+    return next.block == first.block && parent(next) == parent(first) && bounds_friction(first) &&
+           bounds_friction(next);
+}
+
+// The second row is measured by the ratio of the two bounds, so that the disc is round.
+void TreeSolve::make_disc(int i)
+{
+    const auto limit = [&](int row) {
+        return double(system_->numbers[std::size_t(rows_[std::size_t(row)].source)].hi);
+    };
+    problem_.rows()[std::size_t(i)].disc = true, problem_.rows()[std::size_t(i) + 1].second = true;
+    const double ratio = limit(i + 1) / limit(i);
+    rows_[std::size_t(i) + 1].ratio = ratio;
+    if (ratio == 1) return;
+    for (int k = 0; k < problem_.size(); ++k)
+        problem_.row(i + 1)[k] *= ratio, problem_.row(k)[i + 1] *= ratio;
+    for (std::size_t k = 0; k < u_.size(); ++k) y(i + 1)[k] *= ratio;
+    problem_.b()[std::size_t(i) + 1] *= ratio, problem_.p()[std::size_t(i) + 1] /= ratio;
+}
+
 void TreeSolve::bind_parents()
 {
     for (int i = 0; i < int(rows_.size()); ++i) {
@@ -208,23 +242,7 @@ void TreeSolve::bind_parents()
         if (n.parent < 0) continue;
         FrictionRow& row = problem_.rows()[std::size_t(i)];
         row.parent = row_of_source_[std::size_t(n.parent)];
-        const RowBlock& block = system_->blocks[std::size_t(rows_[std::size_t(i)].block)];
-        const Row& its = system_->rows[std::size_t(rows_[std::size_t(i)].source)];
-        if (!block.coulomb || row.second || i + 1 >= int(rows_.size()) || its.lin1 == Vec3{}) continue;
-        const TreeRow& next = rows_[std::size_t(i) + 1];
-        const RowNumbers& m = system_->numbers[std::size_t(next.source)];
-        const bool disc = next.block == rows_[std::size_t(i)].block && m.parent == n.parent && n.hi > 0 &&
-                          n.hi < kInf && m.hi > 0 && m.hi < kInf &&
-                          !(system_->rows[std::size_t(next.source)].lin1 == Vec3{});
-        if (!disc) continue;
-        row.disc = true, problem_.rows()[std::size_t(i) + 1].second = true;
-        const double ratio = double(m.hi) / double(n.hi);
-        rows_[std::size_t(i) + 1].ratio = ratio;
-        if (ratio == 1) continue;
-        for (int k = 0; k < problem_.size(); ++k)
-            problem_.row(i + 1)[k] *= ratio, problem_.row(k)[i + 1] *= ratio;
-        for (std::size_t k = 0; k < u_.size(); ++k) y(i + 1)[k] *= ratio;
-        problem_.b()[std::size_t(i) + 1] *= ratio, problem_.p()[std::size_t(i) + 1] /= ratio;
+        if (!row.second && is_disc(i)) make_disc(i);
     }
 }
 

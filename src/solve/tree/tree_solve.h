@@ -84,6 +84,9 @@ class TreeSolve {
 
     bool collect(Arena& arena);
     bool take_yield(const RowBlock& block, int source);
+    bool is_joint_of(int link, int parent) const;
+    bool is_disc(int i) const;
+    void make_disc(int i);
     void jacobian(const RowBlock& block, const Row& row, std::span<double> j) const;
     void add_chain(int link, const Spatial& f, std::span<double> j) const;
     void add_own(const TreeLink& link, const Spatial& f, std::span<double> j) const;

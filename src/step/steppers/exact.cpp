@@ -4,6 +4,8 @@
 // dWorldStep: forces, one problem of the whole step that is solved exactly (solve/exact), poses. Where projection is asked for, joints
 // are closed by the impulses of the step and errors of position that are left removed after it (island/positions); else poses
 // close stops that would throw a joint. Where substeps are asked for, the same n times (exact_substeps.h).
+#include <optional>
+
 #include "solve/common/work_meter.h"
 #include "step/island/containment.h"
 #include "step/island/positions/shake.h"
@@ -85,6 +87,22 @@ bool projects_poses(const IslandRun& run)
     return run.world.projection_iterations > 0 && run.context.correction == 1;
 }
 
+// What the step has become in joint coordinates; none: rows must make it.
+std::optional<Outcome> try_tree(IslandRun& run)
+{
+    switch (step_in_tree(run)) {
+        case TreeOutcome::kMade:
+            return Outcome::kMade;
+        case TreeOutcome::kRefused:
+            return Outcome::kRefused;
+        case TreeOutcome::kNoMemory:
+            return Outcome::kNoMemory;
+        case TreeOutcome::kNotInTree:
+            break;
+    }
+    return std::nullopt;
+}
+
 Outcome step_once(IslandRun& run)
 {
     IslandWork& work = run.work;
@@ -95,16 +113,8 @@ Outcome step_once(IslandRun& run)
     const bool closes_stops = !projects && may_move && leave_stops_to_poses(run.world, work.system);
     load_warm_start(run, {});
     if (in_tree) {
-        if (!closes_stops) switch (step_in_tree(run)) {
-                case TreeOutcome::kMade:
-                    return Outcome::kMade;
-                case TreeOutcome::kRefused:
-                    return Outcome::kRefused;
-                case TreeOutcome::kNoMemory:
-                    return Outcome::kNoMemory;
-                case TreeOutcome::kNotInTree:
-                    break;
-            }
+        if (!closes_stops)
+            if (const std::optional<Outcome> outcome = try_tree(run)) return *outcome;
         load_all_pushed(run.world, run.context.h, work);
     }
     if (!run.raise_inertias(work.system.h, kResolvedExactly)) return Outcome::kNoMemory;

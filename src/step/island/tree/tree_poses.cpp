@@ -72,7 +72,6 @@ TreePoses::Local TreePoses::local(const IslandWork& work, const JointTree& tree,
 {
     Local out{};
     if (link.block < 0) return out;
-    const Vec3 its = before_[i].x, parent = link.parent < 0 ? Vec3{} : before(link.parent).x;
     const RowBlock& block = work.system.blocks[std::size_t(link.block)];
     const Row* const rows = &work.system.rows[std::size_t(block.first)];
     const bool slides = link.joint == LinkJoint::kSlider, points = !slides;
@@ -85,11 +84,22 @@ TreePoses::Local TreePoses::local(const IslandWork& work, const JointTree& tree,
     if (slides || link.joint == LinkJoint::kFixed) {
         out.way = sign * gap;
         if (points) out.way -= cross(out.turn, link.is_body1 ? block.arms.r1 : Vec3{});
-        out.parents_arm = its - parent;
-        if (!link.is_body1) out.parents_arm = {}, out.own_arm = parent - its;
-        return out;
+        const Vec3 its = before_[i].x, parent = parent_before(link);
+        if (link.is_body1)
+            out.parents_arm = its - parent;
+        else
+            out.own_arm = parent - its;
+    } else {
+        set_arms(link, block, gap, i, out);
     }
-    // Arms may meet half way between the anchors (joints/parts.cpp).
+    return out;
+}
+
+// Arms may meet half way between the anchors (joints/parts.cpp).
+void TreePoses::set_arms(const TreeLink& link, const RowBlock& block, Vec3 gap, std::size_t i,
+                         Local& out) const
+{
+    const Vec3 its = before_[i].x, parent = parent_before(link);
     const bool has_two = block.body2 >= 0;
     const Vec3 x1 = link.is_body1 ? its : parent, x2 = link.is_body1 ? parent : its;
     const Vec3 seen = has_two ? (x2 + block.arms.r2) - (x1 + block.arms.r1) : gap;
@@ -97,7 +107,6 @@ TreePoses::Local TreePoses::local(const IslandWork& work, const JointTree& tree,
     const Vec3 p1 = x1 + block.arms.r1 - half, p2 = has_two ? x2 + block.arms.r2 + half : p1 + gap;
     const Vec3 mine = link.is_body1 ? p1 : p2, others = link.is_body1 ? p2 : p1;
     out.own_arm = mine - its, out.parents_arm = others - parent, out.way = others - mine;
-    return out;
 }
 
 void TreePoses::go_all(std::span<const double> dq, bool closes)

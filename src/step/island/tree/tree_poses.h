@@ -51,8 +51,13 @@ class TreePoses {
         Vec3 axis, parents_arm, own_arm, turn, way;
     };
     const Before& before(int link) const { return before_[std::size_t(link)]; }
+    Vec3 parent_before(const TreeLink& link) const
+    {
+        return link.parent < 0 ? Vec3{} : before(link.parent).x;
+    }
     Place parent_of(const TreeLink& link) const;
     Local local(const IslandWork& work, const JointTree& tree, const TreeLink& link, std::size_t i) const;
+    void set_arms(const TreeLink& link, const RowBlock& block, Vec3 gap, std::size_t i, Local& out) const;
     void go_all(std::span<const double> dq, bool closes);
     void go(std::size_t i, const double* own, bool closes);
 
