@@ -53,10 +53,10 @@ struct BoxCase {
 TEST(PackedRows, AreTheRowsOneByOne)
 {
     for (std::uint64_t seed = 1; seed <= 4; ++seed)
-        for (int k = 0; k < count_row_kernels(); ++k) {
-            SCOPED_TRACE(row_kernels(k).name);
+        for (const RowKernels* kernels : row_kernels()) {
+            SCOPED_TRACE(kernels->name);
             BoxCase box(seed);
-            PackedRows packed(row_kernels(k));
+            PackedRows packed(*kernels);
             ASSERT_TRUE(packed.prepare(box.exact, box.arena));
             packed.pack(box.exact, box.state);
             Dice dice(seed + 7);
@@ -120,7 +120,7 @@ TEST(InteriorPoint, BeginsTheSameInAnyMemory)
         std::vector<double> p[2];
         for (const int byte : {0, 0xff}) {
             BoxCase box(seed);
-            PackedRows packed(row_kernels(0));
+            PackedRows packed(*row_kernels().front());
             std::memset(memory, byte, sizeof memory);
             asm volatile("" : : "r"(memory) : "memory");  // or nobody would write what nobody may read
             auto* interior = new (memory) InteriorPoint;
@@ -140,13 +140,13 @@ TEST(InteriorPoint, BeginsTheSameInAnyMemory)
 
 TEST(RowKernels, AllMachinesMakeTheSameBits)
 {
-    ASSERT_STREQ(row_kernels(0).name, "baseline");
+    ASSERT_STREQ(row_kernels().front()->name, "baseline");
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-        const Outcome expected = solve_with(row_kernels(0), seed);
+        const Outcome expected = solve_with(*row_kernels().front(), seed);
         EXPECT_TRUE(expected.interior && expected.exact);
-        for (int k = 1; k < count_row_kernels(); ++k) {
-            SCOPED_TRACE(row_kernels(k).name);
-            const Outcome got = solve_with(row_kernels(k), seed);
+        for (const RowKernels* kernels : row_kernels().subspan(1)) {
+            SCOPED_TRACE(kernels->name);
+            const Outcome got = solve_with(*kernels, seed);
             EXPECT_EQ(expected.iterations, got.iterations);
             EXPECT_EQ(std::memcmp(expected.p.data(), got.p.data(), 8 * got.p.size()), 0);
             EXPECT_EQ(std::memcmp(expected.v.data(), got.v.data(), 8 * got.v.size()), 0);

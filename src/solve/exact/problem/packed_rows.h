@@ -14,7 +14,7 @@ namespace epode {
 
 class PackedRows {
   public:
-    explicit PackedRows(const RowKernels& kernels = row_kernels()) : kernels_(&kernels) {}
+    explicit PackedRows(const RowKernels& kernels = *row_kernels().back()) : kernels_(&kernels) {}
 
     bool prepare(const ExactProblem& problem, Arena& arena);  // false: out of memory
     void pack(const ExactProblem& problem, const BoxState& state);

@@ -6,6 +6,8 @@
 // Plain pointers and counts for the reason given there.
 #pragma once
 
+#include <span>
+
 namespace epode {
 
 // Rows between the same one or two bodies, four to a pack. `J` holds per pack the columns of body a, then
@@ -71,10 +73,7 @@ struct RowKernels {
     Direction (*finish)(const InteriorRows& rows, const double* dv);
 };
 
-const RowKernels& row_kernels();  // the fastest that this machine can run
-
-// All kernels that it can run, for tests; the first is the baseline.
-int count_row_kernels();
-const RowKernels& row_kernels(int i);
+// The kernels that this machine can run; the first is the baseline, the last the fastest.
+std::span<const RowKernels* const> row_kernels();
 
 }  // namespace epode
