@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The number types of the small-island solver. One island: an entry is a double, and two rows of a column are
-// processed together. The order of sums is part of the definition: even rows, odd rows, then both, on every
-// machine.
+// Columns of the small-island solver: two rows are processed together, in a lane. The order of sums is part of the definition: even rows,
+// odd rows, then both, on every machine.
 #pragma once
 
 #include <type_traits>
@@ -14,27 +13,22 @@
 namespace epode {
 namespace {
 
-struct OneIsland {
-    using Number = double;
-    using Lane = DoubleLane;
-    static constexpr int kRows = 2;   // of a column in one lane
-    static constexpr int kParts = 1;  // lanes that together hold an even and an odd row
+inline constexpr int kLaneRows = 2;
+constexpr int lanes_of(int rows) { return (rows + 1) / 2; }
 
-    static constexpr int lanes(int rows) { return (rows + 1) / 2; }
-    // As whole lanes: reading a lane of which halves were stored waits for the stores.
-    template <int Size>
-    static void store(Lane* to, const double* x)
-    {
-        for (int q = 0; q < lanes(Size); ++q) to[q] = Lane{x[2 * q], 2 * q + 1 < Size ? x[2 * q + 1] : 0.0};
-    }
-    static Lane magnitude(Lane x)
-    {
-        typedef long long Bits __attribute__((vector_size(16)));
-        const Bits all_but_sign = Bits{} + 0x7fffffffffffffffLL;
-        return Lane(Bits(x) & all_but_sign);
-    }
-    static double fold(const Lane* sum) { return sum[0][0] + sum[0][1]; }
-};
+// As whole lanes: reading a lane of which halves were stored waits for the stores.
+template <int Size>
+void store_column(DoubleLane* to, const double* x)
+{
+    for (int q = 0; q < lanes_of(Size); ++q)
+        to[q] = DoubleLane{x[2 * q], 2 * q + 1 < Size ? x[2 * q + 1] : 0.0};
+}
+inline DoubleLane magnitude(DoubleLane x)
+{
+    typedef long long Bits __attribute__((vector_size(16)));
+    const Bits all_but_sign = Bits{} + 0x7fffffffffffffffLL;
+    return DoubleLane(Bits(x) & all_but_sign);
+}
 
 // Calls `work` with the number of rows as a constant: loops this short are worth unrolling.
 template <class Work>
@@ -57,34 +51,31 @@ EPODE_LANEWISE void by_size(int size, Work work)
 }
 
 // out[:,c] -= sum_t x[:,t] y[t][c], columns of so many lanes
-template <class Pack, int Lanes>
-EPODE_LANEWISE void subtract(typename Pack::Lane* out, int out_height, int columns,
-                             const typename Pack::Lane* x, int x_height, const typename Pack::Number* y,
-                             int y_height, int terms)
+template <int Lanes>
+EPODE_LANEWISE void subtract(DoubleLane* out, int out_height, int columns, const DoubleLane* x, int x_height,
+                             const double* y, int y_height, int terms)
 {
     for (int c = 0; c < columns; ++c, out += out_height) {
-        typename Pack::Lane s[Lanes];
+        DoubleLane s[Lanes];
         for (int q = 0; q < Lanes; ++q) s[q] = out[q];
         for (int t = 0; t < terms; ++t) {
-            const typename Pack::Number k = y[t * y_height + c];
+            const double k = y[t * y_height + c];
             for (int q = 0; q < Lanes; ++q) s[q] -= x[t * x_height + q] * k;
         }
         for (int q = 0; q < Lanes; ++q) out[q] = s[q];
     }
 }
 
-template <class Pack>
-inline void subtract_product(typename Pack::Lane* out, int out_height, int columns,
-                             const typename Pack::Lane* x, int x_height, const typename Pack::Number* y,
-                             int y_height, int lanes, int terms)
+inline void subtract_product(DoubleLane* out, int out_height, int columns, const DoubleLane* x, int x_height,
+                             const double* y, int y_height, int lanes, int terms)
 {
     switch (lanes) {
         case 1:
-            return subtract<Pack, 1>(out, out_height, columns, x, x_height, y, y_height, terms);
+            return subtract<1>(out, out_height, columns, x, x_height, y, y_height, terms);
         case 2:
-            return subtract<Pack, 2>(out, out_height, columns, x, x_height, y, y_height, terms);
+            return subtract<2>(out, out_height, columns, x, x_height, y, y_height, terms);
         default:
-            return subtract<Pack, 3>(out, out_height, columns, x, x_height, y, y_height, terms);
+            return subtract<3>(out, out_height, columns, x, x_height, y, y_height, terms);
     }
 }
 
