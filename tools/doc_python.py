@@ -10,7 +10,8 @@ PACKAGE = pathlib.Path(__file__).resolve().parent.parent / "python" / "epode"
 RECIPES = PACKAGE.parent / "recipes"
 # Module: its part of the page. Names that epode/__init__.py lists are shown as epode.NAME.
 MODULES = {"world": "Worlds", "body": "Bodies", "geom": "Geoms", "shapes": "Shapes and materials", "joint": "Joints and drives",
-           "character": "Characters", "vehicle": "Vehicles", "fluid": "Fluids", "recording": "Recordings", "viewer": "Windows: epode.viewer", "plot": "Plots: epode.plot",
+           "character": "Characters", "vehicle": "Vehicles", "fluid": "Fluids", "ragdoll": "Ragdolls", "rope": "Ropes and bridges",
+           "fracture": "Fracture", "recording": "Recordings", "viewer": "Windows: epode.viewer", "plot": "Plots: epode.plot",
            "robot": "Robots: epode.robot", "description/_description": "Robots that can be edited: epode.description",
            "description/_starts": "Their start poses", "description/_part": "What their parts share", "description/_links": "Their links and joints",
            "description/_geoms": "Their shapes", "description/_acting": "What acts on them", "description/_tree": "Their elements of MJCF",

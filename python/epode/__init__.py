@@ -18,13 +18,16 @@ from typing import TYPE_CHECKING, Any
 from . import c
 from .body import Body, BodyGroup
 from .character import Character
-from .enums import (Behaviour, CauseKind, CharacterState, CombineRule, ContactEventKind, Differential, EventGone, EventKind, Falloff,
-                    IslandMethod, Severity, VehicleKind, WheelCast)
+from .enums import (Behaviour, BoneJoint, CauseKind, CharacterState, CombineRule, ContactEventKind, Differential, EventGone, EventKind, Falloff,
+                    IslandMethod, RopeEnds, Severity, VehicleKind, WheelCast)
 from .errors import BusyError, DeadHandleError, EpodeWarning, RefusedError
 from .fluid import Fluid
+from .fracture import Fracture
 from .geom import Geom
 from .joint import Drive, Joint, joint_states
+from .ragdoll import Bone, Ragdoll, human
 from .recording import Recording
+from .rope import Rope
 from .shapes import (Box, Capsule, Cone, Convex, Cylinder, Decomposition, Ellipsoid, HeightField, Material, Mesh, Plane,
                      Sphere, TaperedCapsule, decompose)
 from .vehicle import Vehicle, Wheel
@@ -36,13 +39,13 @@ if TYPE_CHECKING:
     from .robot import Model as Model, Robot as Robot, Robots as Robots, load
 
 __version__ = "0.1.0"
-__all__ = ["Batch", "Behaviour", "Body", "BodyGroup", "Box", "BusyError", "Capsule", "Cause", "CauseKind",
-           "Character", "CharacterState", "CombineRule", "Cone", "ContactEventKind", "Convex", "Cylinder",
+__all__ = ["Batch", "Behaviour", "Body", "BodyGroup", "Bone", "BoneJoint", "Box", "BusyError", "Capsule", "Cause",
+           "CauseKind", "Character", "CharacterState", "CombineRule", "Cone", "ContactEventKind", "Convex", "Cylinder",
            "DeadHandleError", "Decomposition", "Differential", "Drive", "Ellipsoid", "EpodeWarning", "EventGone",
-           "EventKind", "Falloff", "Fluid", "Geom", "HeightField", "IslandMethod", "Joint", "Material", "Mesh",
-           "Plane", "Recording", "RefusedError", "Severity", "Sphere", "TaperedCapsule", "Vehicle", "VehicleKind",
-           "Wheel", "WheelCast", "World", "c", "decompose", "defaults_text", "joint_states", "load", "load_world",
-           "robot", "step_worlds", "sweep", "vector"]
+           "EventKind", "Falloff", "Fluid", "Fracture", "Geom", "HeightField", "IslandMethod", "Joint", "Material",
+           "Mesh", "Plane", "Ragdoll", "Recording", "RefusedError", "Rope", "RopeEnds", "Severity", "Sphere",
+           "TaperedCapsule", "Vehicle", "VehicleKind", "Wheel", "WheelCast", "World", "c", "decompose",
+           "defaults_text", "human", "joint_states", "load", "load_world", "robot", "step_worlds", "sweep", "vector"]
 
 
 def __getattr__(name: str) -> Any:

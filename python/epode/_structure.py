@@ -6,6 +6,7 @@ from __future__ import annotations
 import typing
 
 from . import c
+from ._assembly import Described, describe
 from .body import Body
 from .geom import Geom
 from .joint import Joint, type_of
@@ -44,8 +45,11 @@ class Structure:
                 world._joints[handle] = one
             else:
                 world._geoms[one._key] = one
+                one.body = None
         for body, riders in zip(world._bodies.values(), self.riders):
             body.geoms = list(riders)
+            for geom in riders:
+                geom.body = body
 
 
 class Past(typing.NamedTuple):
@@ -65,6 +69,7 @@ class Description:
         self.stepper = world.stepper
         self.joints: list[tuple[str, int | None, int | None]] = [(joint.type, place(joint.body1), place(joint.body2)) for joint in world._joints.values()]
         self.geoms: list[tuple[Shape, int | None]] = [(geom.shape, place(geom.body)) for geom in world._geoms.values()]
+        self.assemblies: list[Described] = describe(world)
 
     @classmethod
     def of_handles(cls, bodies: list[c.dBodyID], joints: list[c.dJointID], geoms: list[c.dGeomID]) -> Description:
@@ -77,4 +82,5 @@ class Description:
         self.stepper = "exact"
         self.joints = [(type_of(joint), place(c.dJointGetBody(joint, 0)), place(c.dJointGetBody(joint, 1))) for joint in joints]
         self.geoms = [(LoadedShape(), place(c.dGeomGetBody(geom))) for geom in geoms]
+        self.assemblies = []
         return self

@@ -110,6 +110,22 @@ class IslandMethod(enum.IntEnum):
     JOINT_COORDINATES = c.dIslandMethodJointCoordinates
 
 
+class BoneJoint(enum.IntEnum):
+    """What connects a bone of a ragdoll with its parent (``c.dBoneJoint``)."""
+    HINGE = c.dBoneHinge
+    UNIVERSAL = c.dBoneUniversal
+    BALL = c.dBoneBall
+    FIXED = c.dBoneFixed
+
+
+class RopeEnds(enum.IntFlag):
+    """Which ends of a rope are fastened (``c.dRopeEnds``)."""
+    LOOSE = c.dRopeLoose
+    FROM = c.dRopeFrom
+    TO = c.dRopeTo
+    BOTH = c.dRopeBoth
+
+
 class Behaviour(enum.IntEnum):
     """Whose results the steps of a world have (``c.dBehaviour``)."""
     ODE_016 = c.dBehaviour016

@@ -15,18 +15,22 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _c, c
+from ._assembly import Assembly, assemble
 from ._handle import FloatArray, Object, Value, flag, put_settings, reads_and_sets, share, three
 from ._robot_states import joined, numbers_of, set_numbers, split
 from ._structure import Description, Past, Structure
 from .body import Bodies, Body
 from .character import SETTINGS as CHARACTER_SETTINGS
 from .character import Character
-from .enums import Behaviour, CauseKind, Falloff, Severity
+from .enums import Behaviour, CauseKind, Falloff, RopeEnds, Severity
 from .errors import RefusedError
 from .fluid import Fluid
+from .fracture import Fracture, meet_pieces
 from .geom import Geom
 from .joint import SETTINGS, TYPES, Joint
+from .ragdoll import Bone, Ragdoll
 from .recording import Recording
+from .rope import Rope
 from .shapes import Material, Plane, Shape
 from .vehicle import Vehicle
 
@@ -34,6 +38,7 @@ if typing.TYPE_CHECKING:
     from .robot import Robot
 
 Contacts = NDArray[typing.Any]
+Made = typing.TypeVar("Made", bound=Assembly)
 _STEPS: dict[str, Callable[[c.dWorldID, float], int]] = {"exact": c.dWorldStep, "quick": c.dWorldQuickStep, "hybrid": c.dWorldStepHybrid}
 _STEPPERS = {"hybrid": c.dStepperHybrid, "exact": c.dStepperExact, "substeps": c.dStepperSubsteps,
              "substeps_exact_joints": c.dStepperSubstepsExactJoints, "quick": c.dStepperQuick}
@@ -90,7 +95,8 @@ class World(Object):
     """A world of bodies, joints and geoms, which finds its contacts by itself. At the end of a ``with`` block it is destroyed; it is
     destroyed too when nothing refers to it, or to anything in it, any more."""
 
-    __slots__ = ("_bodies", "_joints", "_geoms", "_space", "_body_list", "bodies", "_group", "_past", "_edition", "_recording", "stepper", "_robots", "_fluids")
+    __slots__ = ("_bodies", "_joints", "_geoms", "_space", "_body_list", "bodies", "_group", "_past", "_edition", "_recording", "stepper", "_robots", "_fluids",
+                 "_assemblies")
     _bodies: dict[c.dBodyID, Body]
     _joints: dict[c.dJointID, Joint]
     _geoms: dict[int, Geom]
@@ -102,6 +108,7 @@ class World(Object):
     _recording: Recording | None
     _robots: list[Robot]
     _fluids: list[Fluid]
+    _assemblies: list[Assembly]
 
     def __init__(self, *, gravity: ArrayLike = (0, 0, -9.81), contacts: bool = True, threads: int | None = None,
                  space: str = "hash", defaults: str = "ode") -> None:
@@ -120,6 +127,7 @@ class World(Object):
         self._edition = 0
         self._robots = []
         self._fluids = []
+        self._assemblies = []
         self._space = _SPACES[space](None)
         self._group = c.dJointGroupCreate(0)
         self.bodies = Bodies(self)
@@ -167,6 +175,7 @@ class World(Object):
         for fluid in self._fluids:
             fluid._live = None
         self._fluids.clear()
+        self._assemblies.clear()
         for robot in self._robots:
             robot._dead()
         self._robots.clear()
@@ -334,6 +343,71 @@ class World(Object):
         except BaseException:
             self._bodies[handle].destroy()
             raise
+
+    def ragdoll(self, bones: Sequence[Bone], *, position: ArrayLike | None = None, quaternion: ArrayLike | None = None,
+                material: Material | None = None) -> Ragdoll:
+        """A new figure of bones, such as ``epode.human()`` lists, limp, with the frame of the list at a position and turned by a quaternion.
+        Bones with a common joint do not collide with each other."""
+        return self._assembled(Ragdoll._new(self, bones, position, quaternion), material)
+
+    def rope(self, start: ArrayLike, end: ArrayLike, *, links: int = 20, length: float = 0.0, mass: float = 1.0, radius: float = 0.02,
+             width: float = 0.0, stretch: float = 0.0, load: float = 1000.0, ends: RopeEnds = RopeEnds.BOTH, first: Body | None = None,
+             last: Body | None = None, material: Material | None = None) -> Rope:
+        """A new rope from one point to another, m. links: capsules of a radius, m; with a width, m, planks on hinges, twice radius thick: a bridge.
+        length: of all links, m; 0: the distance of the points; what is longer hangs in an arc. mass: of all links, kg. stretch: how
+        much longer it is, as a share, under load, N; 0: it does not stretch. ends: which are fastened, to the bodies first and last, or to the
+        world where these are None."""
+        settings = c.dRopeSettings()
+        for name, value in (("links", links), ("length", length), ("mass", mass), ("radius", radius), ("width", width),
+                            ("ends", int(ends)), ("stretch", stretch), ("load", load)):
+            setattr(settings, name, value)
+        return self._assembled(Rope._new(self, start, end, first, last, settings), material)
+
+    def fracture(self, parts: Sequence[Geom], *, density: ArrayLike = 1000.0, strength: float = float("inf"),
+                 radius: float = float("inf")) -> Fracture:
+        """A new body of parts, geoms that are on no body, where they are, that breaks into them. density: kg/m^3, one or one for each part. strength: the
+        normal impulse of a blow on one part that it withstands, N s. radius: parts within this distance of the blow come off, each
+        alone, m. Call ``break_fractures`` before each step."""
+        return self._assembled(Fracture._new(self, parts, density, strength, radius), None)
+
+    def _assembled(self, one: Made, material: Material | None) -> Made:
+        """Keep what has been made of several bodies; where steps are not taken back, forget what has been destroyed."""
+        self._assemblies = [other for other in self._assemblies if other.alive or self._past is not None] + [one]
+        if material is not None:
+            try:
+                for body in one.bodies:
+                    body.geoms[0].material = material
+            except BaseException:
+                one.destroy()
+                raise
+        return one
+
+    def _alive(self, kind: type[Made]) -> tuple[Made, ...]:
+        return tuple(one for one in self._assemblies if isinstance(one, kind) and one.alive)
+
+    @property
+    def ragdolls(self) -> tuple[Ragdoll, ...]:
+        """The ragdolls of the world, the oldest first."""
+        return self._alive(Ragdoll)
+
+    @property
+    def ropes(self) -> tuple[Rope, ...]:
+        """The ropes of the world, the oldest first."""
+        return self._alive(Rope)
+
+    @property
+    def fractures(self) -> tuple[Fracture, ...]:
+        """What ``fracture`` has made and a part is left of, the oldest first."""
+        return self._alive(Fracture)
+
+    def break_fractures(self) -> int:
+        """Break whatever the last step has hit harder than the strength of its Fracture. Call it before each step. Returns how many bodies
+        broke."""
+        fractures = self.fractures
+        try:
+            return c.dFractureUpdate(self._handle, [(one._list(), one.strength, one.radius) for one in fractures])
+        finally:
+            meet_pieces(self, fractures)
 
     def joint(self, type: str, body1: Body | None, body2: Body | None = None, **settings: typing.Any) -> Joint:
         """A new joint of a type (ball, hinge, slider, universal, hinge2, fixed, amotor, lmotor, plane2d, pr, pu, piston,
@@ -687,6 +761,7 @@ class World(Object):
         world._live, world._space, world._group = handle, space, c.dJointGroupCreate(0)
         world._bodies, world._joints, world._geoms, world._body_list, world._past, world._recording = {}, {}, {}, None, None, None
         world._edition, world.bodies, world.stepper, world._robots = 0, Bodies(world), "exact", []
+        world._assemblies = []
         found = [c.dWorldGetFluid(handle, i) for i in range(c.dWorldGetNumFluids(handle))]
         world._fluids = [Fluid._around(world, live) for live in found if live is not None]
         return world
@@ -707,6 +782,7 @@ class World(Object):
             self._geoms[geom._key] = geom
             if geom.body is not None:
                 geom.body.geoms.append(geom)
+        assemble(self, was.assemblies)
 
     # ---- steps that can be taken back ----
 

@@ -163,6 +163,7 @@ void bind_written(nb::module_& m);
 void bind_arrays(nb::module_& m);
 void bind_shapes(nb::module_& m);
 void bind_callbacks(nb::module_& m);
+void bind_assemblies(nb::module_& m);
 void bind_command(nb::module_& m);
 void bind_robots(nb::module_& m);
 void bind_batches(nb::module_& m);

@@ -48,6 +48,7 @@ NB_MODULE(_c, m)
     bind_arrays(m);
     bind_shapes(m);
     bind_callbacks(m);
+    bind_assemblies(m);
     bind_recording(m);
     bind_picture(m);
     bind_command(m);

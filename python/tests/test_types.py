@@ -77,7 +77,7 @@ def test_stubs_have_every_function_with_its_text():
 
 def test_signatures_written_by_hand_are_those_of_the_binding():
     functions = {node.name: node for node in tree_of_types().body if isinstance(node, ast.FunctionDef)}
-    source = "".join((HERE.parent / "src" / name).read_text() for name in ("written.cpp", "arrays.cpp", "callbacks.cpp"))
+    source = "".join((HERE.parent / "src" / name).read_text() for name in ("written.cpp", "arrays.cpp", "assemblies.cpp", "callbacks.cpp"))
     for name, how in c.coverage().items():
         bound = re.search(rf'"{name}",((?:(?!m\.def).)*?)TEXT\({name}\)', source, re.S)
         if how == "written" and bound:  # the ways to build heights share one macro

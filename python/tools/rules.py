@@ -3,7 +3,7 @@
 """What generate.py cannot tell from a declaration: which functions are written by hand and where, and which are left
 out and why. The first pattern that matches a name counts."""
 
-# Bound by hand in src/written.cpp, src/arrays.cpp, src/shapes.cpp or src/callbacks.cpp, where sizes of arrays or callbacks need care: the signature, which
+# Bound by hand in src/written.cpp, src/arrays.cpp, src/shapes.cpp, src/assemblies.cpp or src/callbacks.cpp, where sizes of arrays or callbacks need care: the signature, which
 # _c.pyi and the docstring have. FloatArray is NDArray[float64]; structured arrays are NDArray[Any].
 _OF_WORLD = "(world: dWorldID | None) -> NDArray[Any]"
 _HEIGHTS = ("(d: dHeightfieldDataID | None, heights: ArrayLike, width: float, depth: float, scale: float = 1.0, "
@@ -78,6 +78,18 @@ WRITTEN = {
         "filter: Callable[[dGeomID, dGeomID, FloatArray], bool] | None = None) -> int",
     "dFluidSetSurface": "(fluid: dFluidID | None, surface: Callable[[FloatArray, float], float] | None) -> None",
     "dFluidSetCurrentFunction": "(fluid: dFluidID | None, current: Callable[[FloatArray, float], ArrayLike] | None) -> None",
+    "dBonesMakeHuman": "(height: float, mass: float) -> list[dBone]",
+    "dRagdollCreate": "(world: dWorldID | None, space: dSpaceID | None, bones: Sequence[dBone], position: ArrayLike | None = None, "
+                      "orientation: ArrayLike | None = None) -> list[dBodyID]",
+    "dRagdollSetPose": "(bones: Sequence[dBone], bodies: BodyList, pose: ArrayLike, strength: float = 1.0) -> int",
+    "dRagdollGetPose": "(bones: Sequence[dBone], bodies: BodyList) -> FloatArray",
+    "dRagdollFollow": "(bones: Sequence[dBone], bodies: BodyList, position: ArrayLike, pose: ArrayLike, weight: float, h: float) -> int",
+    "dRagdollGetGap": "(bones: Sequence[dBone], bodies: BodyList) -> float",
+    "dRopeCreate": "(world: dWorldID | None, space: dSpaceID | None, from_: ArrayLike, to: ArrayLike, first: dBodyID | None = None, "
+                   "last: dBodyID | None = None, settings: dRopeSettings | None = None) -> tuple[list[dBodyID], list[dJointID | None]]",
+    "dFractureCreate": "(world: dWorldID | None, parts: Sequence[dFracturePart]) -> dBodyID",
+    "dFractureBreak": "(parts: Sequence[dFracturePart], body: dBodyID | None, center: ArrayLike | None = None, radius: float = ...) -> int",
+    "dFractureUpdate": "(world: dWorldID | None, fractures: Sequence[tuple[Sequence[dFracturePart], float, float]]) -> int",
     "dQueryFilterInit": "(filter: dQueryFilter) -> None",
     "dJointSetHinge2Axes": "(joint: dJointID | None, axis1: ArrayLike | None, axis2: ArrayLike | None) -> None",
 }
@@ -341,9 +353,6 @@ LEFT_OUT = {
     r"d(BoxBox|InfiniteAABB)": "helpers of colliders in C: dCollide does it",
     r"dGeomMoved|dBodyGetMovedCallback": "the library sees every move from Python",
     r"d(Init|Close|Cleanup|Allocate)ODE\w*": "done once when the module is imported",
-    r"dRagdoll\w+|dBonesMakeHuman": "ragdolls have no class in Python yet",
-    r"dRope\w+": "ropes have no class in Python yet",
-    r"dFracture\w+": "fracture has no class in Python yet",
 }
 
 # Arrays of fixed size that a function reads and writes.
