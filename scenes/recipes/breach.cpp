@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "scenes/build.h"
-#include "scenes/fracture.h"
+#include "scenes/assemblies.h"
 
 namespace epode::scenes {
 
