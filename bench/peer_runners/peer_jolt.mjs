@@ -3,44 +3,20 @@
 //
 // Jolt Physics as WebAssembly under node (npm jolt-physics), one thread, floats, its own parameters but for damping,
 // which is off as in every engine here, and sleeping. WebAssembly has 128-bit lanes at best and no AVX2: native Jolt is
-// quicker. Reads and writes what common.py describes. What is made once is not freed: the process ends after one run.
+// quicker. Reads and writes what web.mjs describes. What is made once is not freed: the process ends after one run.
 import initJolt from 'jolt-physics';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { driven, play, readScene, refuse, versionOf } from './web.mjs';
 
-const SAMPLES = 8;
 const FIXED = 0, MOVING = 1, GHOST = 2; // layers: ghosts touch nothing
 
-const scene = JSON.parse(readFileSync(process.argv[2]));
-
-function refuse(why) {
-    console.log(JSON.stringify({ refused: why }));
-    process.exit(0);
-}
-
-if (scene.task !== 'simulate') refuse('this runner times neither rays nor the broad phase alone');
-if (scene.bodies.some((b) => b.group)) refuse('this runner knows no groups of bodies that pass through one another');
+const scene = readScene();
 if (scene.bodies.length > 4000) refuse('more than 4,000 bodies are more contacts than the binding has memory for');
-if (scene.joints.some((j) => j.kind === 'hinge2')) refuse('Jolt has no hinge-2');
 
 const Jolt = await initJolt();
 const vec = (v) => new Jolt.Vec3(...v);
 const far = (v) => new Jolt.RVec3(...v);
 const quat = ([w, x, y, z]) => new Jolt.Quat(x, y, z, w);
 const kYToZ = [Math.SQRT1_2, Math.SQRT1_2, 0, 0];
-
-function product([w, a, b, c], [s, x, y, z]) {
-    return [w * s - a * x - b * y - c * z, w * x + s * a + b * z - c * y, w * y + s * b + c * x - a * z,
-        w * z + s * c + a * y - b * x];
-}
-
-function rotate(q, v) {
-    return product(product(q, [0, ...v]), [q[0], -q[1], -q[2], -q[3]]).slice(1);
-}
-
-function turn(axis, angle) {
-    const size = Math.hypot(...axis);
-    return [Math.cos(angle / 2), ...axis.map((x) => (x * Math.sin(angle / 2)) / size)];
-}
 
 function makeWorld() {
     const settings = new Jolt.JoltSettings();
@@ -159,34 +135,21 @@ world.GetPhysicsSystem().OptimizeBroadPhase();
 function drive(at) {
     scene.bodies.forEach((data, i) => {
         if (data.motion !== 'driven') return;
-        const { axis_point: centre, orbit, spin } = data.drive;
-        const arm = data.pos.map((x, k) => x - centre[k]);
-        const pos = rotate(turn([0, 0, 1], orbit * at), arm).map((x, k) => x + centre[k]);
-        const rate = Math.hypot(...spin);
-        const q = rate ? product(turn(spin, rate * at), data.turn) : data.turn;
-        bodies.MoveKinematic(made[i].GetID(), far(pos), quat(q), scene.dt);
+        const { pos, turn } = driven(data, at);
+        bodies.MoveKinematic(made[i].GetID(), far(pos), quat(turn), scene.dt);
     });
 }
 
-function stateLines() {
-    return made.map((body) => {
-        const p = body.GetCenterOfMassPosition(), q = body.GetRotation(), v = body.GetLinearVelocity();
-        const line = [p.GetX(), p.GetY(), p.GetZ(), q.GetW(), q.GetX(), q.GetY(), q.GetZ(), v.GetX(), v.GetY(), v.GetZ()];
-        const w = body.GetAngularVelocity();
-        return [...line, w.GetX(), w.GetY(), w.GetZ()].join(' ');
-    }).join('\n');
+const states = () => made.map((body) => {
+    const p = body.GetCenterOfMassPosition(), q = body.GetRotation(), v = body.GetLinearVelocity();
+    const line = [p.GetX(), p.GetY(), p.GetZ(), q.GetW(), q.GetX(), q.GetY(), q.GetZ(), v.GetX(), v.GetY(), v.GetZ()];
+    const w = body.GetAngularVelocity();
+    return [...line, w.GetX(), w.GetY(), w.GetZ()];
+});
+
+function step(at) {
+    drive(at);
+    world.Step(scene.dt, 1);
 }
 
-let spent = 0, states = '';
-for (let i = 1; i <= scene.steps; ++i) {
-    const start = process.cpuUsage();
-    drive(i * scene.dt);
-    world.Step(scene.dt, 1);
-    const used = process.cpuUsage(start);
-    spent += (used.user + used.system) / 1000;
-    if (Math.floor((i * SAMPLES) / scene.steps) !== Math.floor(((i - 1) * SAMPLES) / scene.steps))
-        states += `state ${i}\n${stateLines()}\n`;
-}
-writeFileSync(process.argv[3], states);
-const version = JSON.parse(readFileSync(new URL(import.meta.resolve('jolt-physics/package.json')))).version;
-console.log(JSON.stringify({ version: `Jolt, WebAssembly (npm jolt-physics ${version})`, ms: spent / scene.steps }));
+play(`Jolt, WebAssembly (npm jolt-physics ${versionOf('jolt-physics')})`, step, states);

@@ -1,72 +1,167 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The page in Debian's chromium without a screen: it draws, steps, throws balls, changes scenes and complains of nothing; and the
-// pile steps to the same bits in the browser as in this Node.
-//     EPODE_NPM=build/npm EPODE_WEB=build/wasm/web node browser_test.mjs [PICTURE.png]
+// The playground in Debian's chromium without a screen, drawn by a processor: every scene runs for three seconds of its own, wide and
+// narrow, complains of nothing and draws; controls, keys, pointer and links do what they say; axe-core finds no serious fault; and the pile
+// steps to the same bits in the browser as in this Node.
+//     EPODE_NPM=build/npm EPODE_WEB=build/wasm/web EPODE_PACKAGE=build/wasm/npm node browser_test.mjs [FOLDER for pictures]
 import assert from 'node:assert/strict';
-import {readFile} from 'node:fs/promises';
+import {mkdir, readFile} from 'node:fs/promises';
 import {createServer} from 'node:http';
 import {createRequire} from 'node:module';
 import path from 'node:path';
-import {Simulation} from '../../wasm/page/src/simulation.mjs';
+import {pathToFileURL} from 'node:url';
+import {scenes} from '../../wasm/playground/src/scenes/all.mjs';
+import {Simulation} from '../../wasm/playground/src/simulation.mjs';
 
-const web = path.resolve(process.env.EPODE_WEB), kTypes = {'.html': 'text/html', '.wasm': 'application/wasm', '.js': 'text/javascript', '.mjs': 'text/javascript'};
-const {chromium} = createRequire(path.resolve(process.env.EPODE_NPM) + '/')('playwright-core');
+const {EPODE_NPM, EPODE_WEB, EPODE_PACKAGE} = process.env, pictures = process.argv[2], html = path.resolve(EPODE_WEB, 'index.html');
+const from_npm = createRequire(path.resolve(EPODE_NPM) + '/'), {chromium} = from_npm('playwright-core'), axe = from_npm.resolve('axe-core/axe.min.js');
+const kSizes = {wide: {width: 1280, height: 800}, narrow: {width: 390, height: 844}}, kSeconds = 3, kPatience = 120000;
 
 const server = createServer(async (request, response) => {
-    const file = path.join(web, request.url === '/' ? 'index.html' : path.basename(request.url));
-    try {
-        const content = await readFile(file);
-        response.writeHead(200, {'content-type': kTypes[path.extname(file)]}).end(content);
-    } catch {
-        response.writeHead(404).end();
-    }
+    const found = request.url === '/' ? await readFile(html) : null;
+    response.writeHead(found ? 200 : 404, {'content-type': 'text/html'}).end(found);
 });
 await new Promise(resolve => server.listen(0, resolve));
-
+const origin = `http://localhost:${server.address().port}/`;
+if (pictures) await mkdir(pictures, {recursive: true});
 const browser = await chromium.launch({
     executablePath: process.env.EPODE_CHROMIUM ?? '/usr/bin/chromium',
     args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox'],
 });
 const complaints = [];
-try {
-    const page = await browser.newPage({viewport: {width: 1000, height: 700}});
+
+async function open(viewport, address = origin, options = {}) {
+    const page = await browser.newPage({viewport, ...options});
     page.on('pageerror', error => complaints.push(String(error)));
-    page.on('console', message => { if (message.type() === 'error' && !/favicon|404/.test(message.text())) complaints.push(message.text()); });
-    await page.goto(`http://localhost:${server.address().port}/`);
-    const stepped = count => page.waitForFunction(wanted => window.epode?.steps > wanted, count, {timeout: 60000});
+    page.on('console', message => { if (['error', 'warning'].includes(message.type()) && !/favicon|404|GPU stall/.test(message.text())) complaints.push(message.text()); });
+    await page.goto(address);
+    await page.waitForFunction(() => window.playground, undefined, {timeout: kPatience});
+    return page;
+}
+const simulated = (page, seconds) => page.waitForFunction(wanted => window.playground.simulation.time > wanted, seconds, {timeout: kPatience});
+const shot = (page, name) => page.screenshot(pictures ? {path: path.join(pictures, `${name}.png`)} : {});
 
-    await stepped(30);
-    await page.click('#throw');
-    await stepped(120);
-    const moved = await page.evaluate(() => {
-        const poses = Array.from(window.epode.simulation.poses());
-        return poses.filter((x, i) => i < 700 && i % 7 === 0 && Math.abs(x) > 0.1).length;
-    });
-    assert.ok(moved >= 3, `a ball moved ${moved} bricks`);
-    const drawn = await page.screenshot(process.argv[2] ? {path: process.argv[2]} : {});
-    for (const scene of ['pile', 'bridge']) {
-        await page.selectOption('#scene', scene);
-        await stepped(60);
-        assert.equal(await page.evaluate(() => window.epode.scene), scene);
-        assert.notDeepEqual(await page.screenshot(), drawn);
+async function every_scene(size) {
+    const page = await open(kSizes[size]), rates = {};
+    for (const scene of Object.keys(scenes)) {
+        await page.click(`#scene-${scene}`);
+        await page.waitForFunction(wanted => window.playground.simulation.scene === wanted, scene);
+        await simulated(page, kSeconds);
+        const state = await page.evaluate(() => {
+            const {simulation, interval} = window.playground, {kinetic, potential} = simulation.energy(), poses = Array.from(simulation.poses());
+            const {scrollWidth, clientWidth} = document.documentElement;
+            return {kinetic, potential, finite: poses.every(Number.isFinite), lowest: Math.min(...simulation.bodies.map(body => body.position[2])),
+                    rate: 1 / interval, overflow: scrollWidth - clientWidth};
+        });
+        assert.ok(Number.isFinite(state.kinetic) && Number.isFinite(state.potential) && state.finite, `${scene}: ${JSON.stringify(state)}`);
+        assert.ok(state.lowest > ({boats: -4, buggy: -4}[scene] ?? 0) - 0.02, `${scene}: a body is at ${state.lowest}`);
+        assert.ok(state.overflow <= 0, `${scene}: the page is ${state.overflow} pixels too wide`);
+        rates[scene] = state.rate.toFixed(1);
+        await shot(page, `${scene}-${size}`);
+        assert.deepEqual(complaints.splice(0), [], scene);
     }
-    await page.click('#pause');
+    console.log(`pictures a second, ${size}, drawn by this processor: ${Object.entries(rates).map(row => row.join(' ')).join(', ')}`);
+    await page.close();
+}
 
+async function controls() {
+    const page = await open(kSizes.wide, `${origin}#scene=pile&count=60&stepper=quick`), inside = (code, value) => page.evaluate(code, value);
+    assert.deepEqual(await inside(() => [window.playground.simulation.values.count, window.playground.simulation.method]), [60, 'quick']);
+    await page.click('#pause');
+    const still = await inside(() => window.playground.steps);
+    await page.click('#step');
+    assert.equal(await inside(() => window.playground.steps), still + 1);
+    await page.locator('#slider-count').fill('40');
+    assert.equal(await inside(() => window.playground.simulation.bodies.length), 40);
+    await page.selectOption('#method', 'substeps');
+    assert.equal(await inside(() => location.hash), '#scene=pile&count=40&stepper=substeps');
+    await page.click('#throw');
+    assert.equal(await inside(() => window.playground.simulation.bodies.length), 41);
+    await page.check('#contacts');
+    await page.click('#pause');
+    await simulated(page, 1.5);
+    assert.ok(await inside(() => window.playground.stage.contacts_shown) > 10);
+    await page.focus('#view');
+    await page.keyboard.press('Space');
+    assert.equal(await inside(() => window.playground.playing), false);
+    await page.keyboard.press('r');
+    assert.equal(await inside(() => window.playground.simulation.time), 0);
+    await shot(page, 'contacts');
+    await page.close();
+}
+
+// The pointer takes a brick and lifts it.
+async function hand() {
+    const page = await open(kSizes.wide, `${origin}#scene=wall`), box = await page.locator('#view').boundingBox();
+    await page.click('#pause');
+    const brick = await page.evaluate(() => {
+        const {stage} = window.playground;
+        window.playground.restart();
+        for (let y = 0.35; y < 0.8; y += 0.05) for (let x = 0.3; x < 0.7; x += 0.05) if (stage.hit(x, y).carrier >= 0) return [x, y];
+        return null;
+    });
+    assert.ok(brick, 'a brick is seen');
+    await page.mouse.move(box.x + brick[0] * box.width, box.y + brick[1] * box.height);
+    await page.mouse.down();
+    assert.ok(await page.evaluate(() => window.playground.simulation.hand !== null), `a brick at ${brick} is held`);
+    await page.focus('#view');
+    await page.keyboard.press('Space');
+    await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.08 * box.height, {steps: 4});
+    await simulated(page, 2);
+    const top = await page.evaluate(() => window.playground.simulation.hand.held.position[2]);
+    await shot(page, 'hand');
+    await page.mouse.up();
+    assert.ok(top > 3.2, `the brick was lifted to ${top} m`);
+    assert.equal(await page.evaluate(() => window.playground.simulation.hand), null);
+    await page.close();
+}
+
+async function accessible() {
+    for (const [size, viewport] of Object.entries(kSizes)) {
+        for (const colorScheme of ['light', 'dark']) {
+            const page = await open(viewport, origin, {colorScheme});
+            await page.addScriptTag({path: axe});
+            const {violations} = await page.evaluate(() => window.axe.run());
+            const serious = violations.filter(({impact}) => ['serious', 'critical'].includes(impact));
+            assert.deepEqual(serious.map(({id, nodes}) => `${id}: ${nodes.map(node => node.html).join(' ')}`), [], `${size}, ${colorScheme}`);
+            if (violations.length > 0) console.log(`axe, ${size}: ${violations.map(({id, impact}) => `${id} (${impact})`).join(', ')}`);
+            await page.close();
+        }
+    }
+    const calm = await open(kSizes.wide, origin, {reducedMotion: 'reduce'});
+    assert.equal(await calm.evaluate(() => window.playground.playing), false);
+    await calm.close();
+}
+
+async function from_a_file() {
+    const page = await open(kSizes.wide, pathToFileURL(html).href);
+    await simulated(page, 0.3);
+    await page.close();
+}
+
+async function same_bits() {
     const poses = simulation => {
         for (let i = 0; i < 150; ++i) simulation.step();
-        return Array.from(simulation.poses());
+        return Array.from(simulation.states.read());
     };
+    const page = await open(kSizes.wide, `${origin}#scene=pile`);
     const there = await page.evaluate(`(() => {
-        const show = window.epode;
-        show.start('pile');
-        return (${poses})(show.simulation);
+        const {playground} = window;
+        playground.playing = false;
+        playground.restart();
+        return (${poses})(playground.simulation);
     })()`);
-    const {load} = await import(`${web}/epode.mjs`);
-    assert.deepEqual(there, poses(new Simulation(await load(), 'pile')));
+    const {load} = await import(path.resolve(EPODE_PACKAGE, 'lib/index.mjs')), source = await readFile(path.resolve(EPODE_WEB, 'epode.wasm'));
+    assert.deepEqual(there, poses(new Simulation(await load({source}), 'pile')));
+    await page.close();
+}
+
+try {
+    for (const check of [from_a_file, same_bits, controls, hand, accessible]) await check();
+    for (const size of Object.keys(kSizes)) await every_scene(size);
     assert.deepEqual(complaints, []);
-    console.log(`the page works in chromium ${browser.version()}: ${moved} bricks moved, 150 steps of the pile as in Node`);
+    console.log(`the playground works in chromium ${browser.version()}: ${Object.keys(scenes).length} scenes, wide and narrow`);
 } finally {
     await browser.close();
     server.close();

@@ -3,8 +3,8 @@
 # Copyright (c) 2026 The Epode authors
 #
 # The library for WebAssembly: Debian's clang builds it by the preset `wasm`, Node runs its tests, golden hashes among them, the module
-# through epode.mjs, the worlds of the page, and a C program that is built against what `cmake --install` leaves.
-# The page in a browser is browser_test.mjs's.
+# through epode.mjs, the scenes of the playground, and a C program that is built against what `cmake --install` leaves.
+# The playground in a browser is browser_test.mjs's.
 #   tests/wasm/run.sh [--golden]      (needs what `scripts/setup wasm` installs and Node 20; --golden: the hashes alone, in minutes)
 # tests/wasm/skipped lists the tests that need threads or processes.
 set -euo pipefail
@@ -13,7 +13,7 @@ build=$PWD/build/wasm
 cmake --preset wasm >/dev/null
 programs=(golden_tests)
 [ "${1:-}" = --golden ] || programs+=(unit_tests contract_tests physics_tests state_tests)
-cmake --build --preset wasm --target ode epode_module "${programs[@]}"
+cmake --build --preset wasm --target ode epode_module epode_npm "${programs[@]}"
 wasi() { node --no-warnings tests/wasm/wasi.mjs "$@"; }
 
 begin=$SECONDS
@@ -36,8 +36,8 @@ packaging/exports.sh --names include clang-19 --target=wasm32-wasi | diff - <(no
   const module = new WebAssembly.Module(require("fs").readFileSync(process.argv[1]));
   console.log(WebAssembly.Module.exports(module).map(e => e.name).filter(name => /^d[A-Z]/.test(name)).sort().join("\n"));
 ' $build/web/epode.wasm) || { echo "wasm: epode.wasm exports something else"; exit 1; }
-for part in module page; do
-  EPODE_WEB=$build/web node --test tests/wasm/${part}_test.mjs > $build/$part.log || { cat $build/$part.log; exit 1; }
+for part in module playground; do
+  EPODE_WEB=$build/web EPODE_PACKAGE=$build/npm node --test tests/wasm/${part}_test.mjs > $build/$part.log || { cat $build/$part.log; exit 1; }
   echo "$part: $(grep -E '^# pass' $build/$part.log)"
 done
 

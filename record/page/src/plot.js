@@ -25,9 +25,15 @@ function columns_of(times, values, start, end, width) {
 }
 
 export class Plot {
-    // series: [{name, color, values}]
+    // series: [{name, color, values}]; without seek a click does nothing
     constructor(canvas, times, series, unit, seek) {
-        Object.assign(this, {canvas, times, series, unit});
+        Object.assign(this, {canvas, unit});
+        this.show(times, series);
+        if (seek) this.listen(seek);
+    }
+
+    show(times, series) {
+        Object.assign(this, {times, series, back: null});
         this.start = times[0] ?? 0;
         this.end = Math.max(times[times.length - 1] ?? 0, this.start + 1e-9);
         let low = Infinity, high = -Infinity;
@@ -42,7 +48,10 @@ export class Plot {
         const pad = 0.06 * (high - low) || Math.max(1e-9, 0.1 * Math.abs(high));
         this.low = low >= 0 && low < 0.3 * high ? 0 : low - pad;
         this.high = high + pad;
-        const at = event => {
+    }
+
+    listen(seek) {
+        const {canvas} = this, at = event => {
             const box = canvas.getBoundingClientRect();
             const part = (event.clientX - box.left - kLeft) / (box.width - kLeft);
             seek(this.start + Math.min(1, Math.max(0, part)) * (this.end - this.start));

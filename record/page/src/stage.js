@@ -3,7 +3,7 @@
 //
 // What is seen: one instanced mesh for each solid, lights, a floor, contacts and joints as lines, and the camera.
 import {
-    BasicShadowMap, BufferAttribute, BufferGeometry, Color, DirectionalLight, Fog, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4,
+    BasicShadowMap, BufferAttribute, BufferGeometry, Color, DirectionalLight, Fog, Group, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4,
     PCFShadowMap, PerspectiveCamera, Quaternion, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
@@ -14,7 +14,7 @@ import {Poses} from './poses.js';
 import {draws_in_software, kLevels} from './quality.js';
 
 const kSky = new Color(0xdfe7ee);
-const kSolid = {plane: 5};
+const kSolid = {plane: 5}, kDirection = [0.45, -0.85, 0.32];  // from what is seen to the eye
 
 function geometry_of(solid) {
     const geometry = new BufferGeometry();
@@ -31,6 +31,12 @@ function lines(color, capacity) {
     made.frustumCulled = false;
     made.renderOrder = 1;
     return made;
+}
+
+function dispose(shown) {
+    shown.geometry.dispose();
+    shown.material.dispose();
+    shown.dispose?.();
 }
 
 // Lines in short pieces: some software renderers lose a line of which one end is behind the camera.
@@ -54,9 +60,12 @@ function extent_of(points) {
 }
 
 export class Stage {
-    constructor(canvas, recording, poses) {
+    // options: view, {center, radius, direction} of the first view (default: all that moves); contacts, how many there are at most (default:
+    // as the recording has).
+    constructor(canvas, recording, poses, options = {}) {
         this.recording = recording;
         this.poses = poses;
+        this.max_contacts = options.contacts;
         this.in_software = draws_in_software();
         this.renderer = new WebGLRenderer({canvas, antialias: !this.in_software, preserveDrawingBuffer: false});
         this.renderer.shadowMap.enabled = true;
@@ -69,14 +78,34 @@ export class Stage {
         this.controls.enableDamping = false;
         this.controls.addEventListener('change', () => this.stay_above());
         this.follow = -1;
+        this.contents = new Group();
+        this.scene.add(this.contents);
+        this.resize(canvas.clientWidth, canvas.clientHeight);
         this.make_parts();
         this.make_lines();
         this.poses.go_to(0);
-        this.frame_all();
         this.make_lights();
+        if (options.view) this.look_at(options.view); else this.frame_all();
         this.make_grid();
         this.set_level(kLevels[0]);
         this.update();
+    }
+
+    // Shows something else, seen from `view`, by default from where the camera is. What was shown goes last: its programs serve what comes.
+    show(recording, poses, view) {
+        const before = this.contents, {contact_lines, joint_lines} = this;
+        Object.assign(this, {recording, poses, contents: new Group()});
+        this.scene.add(this.contents);
+        this.make_parts();
+        this.make_lines();
+        if (view) this.look_at(view);
+        this.make_grid();
+        this.contact_lines.visible = contact_lines.visible;
+        this.joint_lines.visible = joint_lines.visible;
+        this.poses.go_to(0);
+        this.renderer.compile(this.scene, this.camera);
+        this.scene.remove(before);
+        before.children.forEach(dispose);
     }
 
     make_parts() {
@@ -98,20 +127,20 @@ export class Stage {
             });
             mesh.userData = {members: members[s], kind: solids[s].kind};
             this.meshes.push(mesh);
-            this.scene.add(mesh);
+            this.contents.add(mesh);
         }
     }
 
     make_lines() {
         const {contacts, joints} = this.recording;
-        let largest = 1;
+        let largest = this.max_contacts ?? 1;
         for (let i = 0; i + 1 < contacts.starts.length; ++i)
             largest = Math.max(largest, contacts.starts[i + 1] - contacts.starts[i]);
         this.contact_lines = lines(0xd0021b, largest);
         this.contact_lines.visible = false;
         this.joint_lines = lines(0x2b2d42, 2 * Math.max(1, joints.count));
         const mark_lines = lines(0x111111, 12 * Mark.kCapacity);
-        this.scene.add(this.contact_lines, this.joint_lines, mark_lines);
+        this.contents.add(this.contact_lines, this.joint_lines, mark_lines);
         this.mark = new Mark(instances_of(this.recording, this.meshes), mark_lines);
         this.ground = new Ground(this.recording, this.meshes);
     }
@@ -123,7 +152,6 @@ export class Stage {
         sun.shadow.normalBias = 0.02;
         this.sun = sun;
         this.scene.add(sun, sun.target);
-        this.aim_sun();
     }
 
     // Lines on level floors, in steps of 1, 10, 100 m: what moves is seen to move.
@@ -135,7 +163,7 @@ export class Stage {
                 {color: 0x000000, transparent: true, opacity: 0.14, depthWrite: false}));
             grid.position.z = height + 0.002 * this.radius;
             this.grids.push(grid);
-            this.scene.add(grid);
+            this.contents.add(grid);
         }
     }
 
@@ -168,17 +196,19 @@ export class Stage {
         return leaves ? distances.indexOf(Math.min(...distances)) : -1;
     }
 
-    look_at({center, radius}) {
+    look_at({center, radius, direction = kDirection}) {
         this.radius = radius;
-        this.controls.target.copy(center);
-        this.ground.stand_under(center.z);
-        const distance = 1.1 * this.radius / Math.sin(0.5 * this.camera.fov * Math.PI / 180);
-        this.camera.position.copy(center).add(new Vector3(0.45, -0.85, 0.32).normalize().multiplyScalar(distance));
+        this.controls.target.set(...center);
+        this.ground.stand_under(this.controls.target.z);
+        const half = Math.atan(Math.min(1, this.camera.aspect) * Math.tan(0.5 * this.camera.fov * Math.PI / 180));
+        const distance = 1.1 * this.radius / Math.sin(half);
+        this.camera.position.set(...center).add(new Vector3(...direction).normalize().multiplyScalar(distance));
         this.camera.near = distance / 500;
         this.camera.far = 60 * distance;
         this.camera.updateProjectionMatrix();
         this.scene.fog = new Fog(kSky, 3 * distance, 14 * distance);
         this.controls.update();
+        this.aim_sun();
     }
 
     // See quality.js.
@@ -204,7 +234,7 @@ export class Stage {
 
     resize(width, height) {
         this.renderer.setSize(width, height, false);
-        this.camera.aspect = width / Math.max(1, height);
+        this.camera.aspect = Math.max(1, width) / Math.max(1, height);
         this.camera.updateProjectionMatrix();
     }
 
@@ -286,12 +316,16 @@ export class Stage {
     }
 
     // The carrier under a point of the canvas (0..1 from the upper left), -1 for none.
-    pick(x, y) {
+    pick(x, y) { return this.hit(x, y).carrier; }
+
+    // And where it is hit.
+    hit(x, y) {
         const ray = new Raycaster();
         ray.setFromCamera(new Vector2(2 * x - 1, 1 - 2 * y), this.camera);
         for (const mesh of this.meshes) mesh.boundingSphere = null;  // instances moved
         const hit = ray.intersectObjects(this.meshes)[0];
-        return hit ? this.recording.parts.numbers[4 * hit.object.userData.members[hit.instanceId] + 1] : -1;
+        if (!hit) return {carrier: -1};
+        return {carrier: this.recording.parts.numbers[4 * hit.object.userData.members[hit.instanceId] + 1], point: hit.point};
     }
 
     draw() {

@@ -121,6 +121,17 @@ test('rays, casts, overlaps and distances have their closed forms', () => with_w
     assert.equal(world.rayClosest([0, 0, 3], [1, 0, 0], 10).geom, box);
 }));
 
+test('a world finds what C functions have created and destroyed in it', () => with_world({}, world => {
+    const {c} = engine, kept = world.createBody(), gone = world.createBody(), handle = c.dBodyCreate(world.handle);
+    world.refresh();
+    assert.deepEqual(world.bodies.map(body => body.handle), [kept.handle, gone.handle, handle]);
+    assert.ok(world.bodies[2] instanceof Body);
+    c.dBodyDestroy(gone.handle);
+    world.refresh();
+    assert.deepEqual(world.bodies.map(body => body.handle), [kept.handle, handle]);
+    assert.ok(gone.isDestroyed && !kept.isDestroyed);
+}));
+
 test('an explosion gives impulses that fall off, and walls protect', () => with_world({gravity: [0, 0, 0]}, world => {
     const ball = x => {
         const body = world.createBody({position: [x, 0, 0]});

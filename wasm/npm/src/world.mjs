@@ -195,7 +195,12 @@ export class World extends WorldStates {
         const e = this.engine;
         e.c.dWorldRollBack(this.handle, uint32(frames, 'World.rollBack', 'frames') | 0);
         e.check('World.rollBack');
-        const {bodies, joints: all, geoms} = contents_of(this), lives = new Set([...bodies, ...all, ...geoms]);
+        this.refresh();
+    }
+
+    /** Finds what functions of `engine.c` have created and destroyed in the world since: `bodies`, `joints` and `geoms` have it then. */
+    refresh() {
+        const {bodies, joints: all, geoms} = contents_of(this), lives = new Set([...bodies, ...all, ...geoms]), e = this.engine;
         for (const one of [...this.#contents]) if (!lives.has(one.handle)) this.ended(one);
         for (const pointer of lives) if (!e.objects.has(pointer)) this.#back(pointer);
         adopt_contents(this);

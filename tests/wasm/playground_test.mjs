@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The playground's scenes without a browser: node --test playground_test.mjs, with EPODE_WEB=the folder that has epode.wasm and
+// EPODE_PACKAGE=that of the npm package.
+import assert from 'node:assert/strict';
+import {readFile} from 'node:fs/promises';
+import {test} from 'node:test';
+import {link_of, read_link} from '../../wasm/playground/src/link.mjs';
+import {scenes} from '../../wasm/playground/src/scenes/all.mjs';
+import {kMethods, Simulation, values_of} from '../../wasm/playground/src/simulation.mjs';
+
+const {load} = await import(`${process.env.EPODE_PACKAGE}/lib/index.mjs`);
+const messages = [], engine = await load({source: await readFile(`${process.env.EPODE_WEB}/epode.wasm`), onMessage: text => messages.push(text)});
+const names = Object.keys(scenes);
+
+function with_scene(scene, given, use, method) {
+    const simulation = new Simulation(engine, scene, given, method);
+    try {
+        return use(simulation);
+    } finally {
+        simulation.destroy();
+    }
+}
+function run(simulation, seconds, each = () => {}) {
+    for (const end = simulation.time + seconds; simulation.time < end - 1e-9;) {
+        simulation.step();
+        each();
+    }
+    return simulation;
+}
+const is_sound = ({bodies}) => bodies.every(body => [...body.position, ...body.linearVelocity].every(Number.isFinite));
+const lowest = simulation => Math.min(...simulation.bodies.map(body => body.position[2]));
+const floor_of = scene => ({boats: -4, buggy: -4}[scene] ?? 0);
+
+for (const scene of names) {
+    test(`${scene}: six seconds in which nothing sinks, flies off or makes energy of nothing`, () => with_scene(scene, {}, simulation => {
+        const has_motor = ['buggy', 'quadruped', 'drum', 'boats'].includes(scene);
+        let first = null, balls = 0, gained = 0;
+        run(simulation, 6, () => {
+            const {kinetic, potential} = simulation.energy(), all = kinetic + potential;
+            assert.ok(Number.isFinite(all), `energy ${all} at ${simulation.time}`);
+            if (simulation.bodies.length !== balls) [first, balls] = [all, simulation.bodies.length];  // thrown, or broken off
+            gained = Math.max(gained, all - first);
+        });
+        assert.ok(is_sound(simulation));
+        assert.ok(lowest(simulation) > floor_of(scene) - 0.02, `${scene}: a body is at ${lowest(simulation)}`);
+        assert.ok(has_motor || gained < 0.03 * Math.abs(first) + 20, `${scene}: ${gained} J more than ${first}`);
+        assert.deepEqual(messages.splice(0), []);
+    }));
+
+    test(`${scene}: every slider at both of its ends, with every stepper`, () => {
+        const {sliders} = scenes[scene];
+        for (const [name, {low, high}] of Object.entries(sliders)) {
+            for (const value of [low, high]) with_scene(scene, {[name]: value}, simulation => {
+                run(simulation, 0.4);
+                assert.ok(is_sound(simulation), `${name} = ${value}`);
+                assert.deepEqual(simulation.poses().findIndex(x => !Number.isFinite(x)), -1);
+            }, kMethods[value === low ? 1 : 3]);
+        }
+        with_scene(scene, {}, simulation => assert.ok(is_sound(run(simulation, 0.15))), 'exact');
+        assert.deepEqual(messages.splice(0), []);
+    });
+}
+
+test('links say what was chosen, and what they say wrongly is the default', () => {
+    const chosen = {scene: 'pile', values: {...values_of('pile'), count: 300, bounce: 0.5}, method: 'quick'};
+    assert.equal(link_of(chosen), '#scene=pile&count=300&bounce=0.5&stepper=quick');
+    assert.deepEqual(read_link(link_of(chosen)), chosen);
+    assert.deepEqual(read_link('#scene=nothing&stepper=toString'), {scene: 'wall', values: values_of('wall'), method: 'hybrid'});
+    assert.equal(read_link('#scene=pile&count=1e9').values.count, 600);
+    assert.equal(read_link('#scene=pile&count=many').values.count, 200);
+    assert.equal(read_link('#scene=__proto__').scene, 'wall');
+});
+
+test('the ball breaks the wall, which stands until it comes', () => with_scene('wall', {}, simulation => {
+    const bricks = [...simulation.bodies], away = () => bricks.filter(body => Math.abs(body.position[0]) > 0.1).length;
+    run(simulation, 0.7);
+    assert.equal(away(), 0);
+    run(simulation, 2);
+    assert.ok(away() >= 3, `${away()} bricks moved`);
+}));
+
+test('the tower is one body until cannon balls break it, and then its bricks are drawn where they are', () => with_scene('tower', {}, simulation => {
+    assert.equal(simulation.bodies.length, 1);
+    const {generation} = simulation;
+    run(simulation, 4);
+    assert.ok(simulation.bodies.length > 8, `${simulation.bodies.length} bodies`);
+    assert.ok(simulation.generation > generation);
+    assert.equal(simulation.poses().length, 7 * simulation.bodies.length);
+}));
+
+test('the robot walks forward, backwards, and does not fall', () => {
+    for (const stride of [0.1, -0.1]) with_scene('quadruped', {stride}, simulation => {
+        const trunk = simulation.hooks.follow;
+        run(simulation, 6);
+        assert.ok(trunk.position[0] * Math.sign(stride) > 0.4, `stride ${stride}: ${trunk.position[0]} m`);
+        assert.ok(trunk.position[2] > 0.28 && trunk.vectorToWorld([0, 0, 1])[2] > 0.9, `at ${trunk.position}`);
+    });
+});
+
+test('the buggy keeps to its circle and stays on its wheels', () => with_scene('buggy', {}, simulation => {
+    const chassis = simulation.hooks.follow;
+    run(simulation, 3);
+    run(simulation, 12, () => assert.ok(chassis.vectorToWorld([0, 0, 1])[2] > 0.5));
+    const away = Math.hypot(chassis.position[0], chassis.position[1]);
+    assert.ok(Math.abs(away - 16) < 6, `${away} m from the middle`);
+    assert.ok(Math.abs(chassis.vehicle.report.speed) > 1);
+}));
+
+test('all dominoes fall, one after the other', () => with_scene('dominoes', {count: 60}, simulation => {
+    run(simulation, 20);
+    assert.equal(simulation.bodies.filter(body => body.position[2] > 0.49).length, 0);
+}));
+
+test('the arch stands as it is, and not when it is thin or smooth', () => {
+    const crown = given => with_scene('arch', given, simulation => {
+        const stone = simulation.bodies[7];
+        run(simulation, 1.1);
+        return stone.position[2];
+    });
+    assert.ok(crown({}) > 1.8, `${crown({})}`);
+    assert.ok(crown({thick: 0.2}) < 1.7 || crown({friction: 0.1}) < 1.7);
+});
+
+test('as many balls of the cradle leave as arrive', () => {
+    for (const raised of [1, 2]) with_scene('cradle', {raised}, simulation => {
+        const heights = simulation.bodies.map(body => body.position[2]), rest = Math.min(...heights), top = simulation.bodies.map(() => 0);
+        run(simulation, 2, () => simulation.bodies.forEach((body, i) => { top[i] = Math.max(top[i], body.position[2] - rest); }));
+        top.forEach((height, i) => assert.ok(i < raised || i >= 5 - raised ? height > 0.2 : height < 0.08, `ball ${i} rose by ${height} of ${top}`));
+    });
+});
+
+test('the hand pulls a body to where it is and lets go', () => with_scene('pile', {count: 20}, simulation => {
+    run(simulation, 3);
+    const body = simulation.bodies[0];
+    simulation.grab(body, body.position);
+    simulation.move_hand([0, 0, 3]);
+    run(simulation, 2);
+    assert.ok(Math.abs(body.position[2] - 3) < 0.2, `at ${body.position[2]}`);
+    assert.equal(simulation.poses().length, 7 * 20);
+    simulation.release();
+    run(simulation, 3);
+    assert.ok(body.position[2] < 1.5);
+}));
+
+test('many balls: the oldest end', () => with_scene('bridge', {}, simulation => {
+    const before = simulation.bodies.length;
+    for (let i = 0; i < 30; ++i) simulation.throw_ball([0, -6, 3], [0, 15, 1]), run(simulation, 0.1);
+    assert.equal(simulation.bodies.length, before + 24);
+    assert.ok(is_sound(simulation));
+}));
+
+test('a scene that has ended leaves no memory behind', () => {
+    const round = () => names.forEach(scene => with_scene(scene, {}, simulation => run(simulation, 0.1)));
+    round();
+    round();
+    const size = engine.memorySize;
+    for (let i = 0; i < 5; ++i) round();
+    assert.ok(engine.memorySize <= size + 2 ** 20, `${(engine.memorySize - size) / 1024} kB more`);
+    assert.equal(engine.objects.size, 0);
+});
