@@ -11,11 +11,12 @@ namespace epode {
 namespace {
 
 constexpr int kSlides = 8, kFrees = 16, kSlips = 3;
-constexpr Real kFoothold = Real(0.2);   // the least n . up of a touch that can bear a character
-constexpr Real kLanding = Real(0.1);    // of the skin: ground so much farther away is stood on still
-constexpr Real kLeaves = Real(1e-3);    // of the speed: leads away from the ground
-constexpr Real kStride = Real(0.1);     // of the radius: the least way onto a step
-constexpr Real kNothing = Real(1e-12);  // m
+constexpr Real kFoothold = Real(0.2);      // the least n . up of a touch that can bear a character
+constexpr Real kLanding = Real(0.1);       // of the skin: ground so much farther away is stood on still
+constexpr Real kLeaves = Real(1e-3);       // of the speed: leads away from the ground
+constexpr Real kStride = Real(0.1);        // of the radius: the least way onto a step
+constexpr Real kNothing = Real(1e-12);     // m
+constexpr Real kRounding = 64 * kEpsilon;  // of a motion, how far it may lead into a plane that it follows
 
 Vec3 without(Vec3 v, Vec3 n) { return v - dot(v, n) * n; }
 
@@ -35,6 +36,7 @@ Mover::Mover(Geom& self, Vec3 velocity, Real h)
       around_(self, velocity)
 {
     start_ = at_ = load(self.own_position);
+    nothing_ = std::max(kNothing, kEpsilon * (length(start_) + half_height_));
     const Real rise = dot(velocity, up_);
     const bool leaves = rise > 0 && dot(velocity, character_.ground_normal) > kLeaves * length(velocity);
     grounded_ = character_.state == dCharacterOnGround && !leaves && !character_.launched;
@@ -170,8 +172,9 @@ Vec3 Mover::slide_normal(Vec3 n, Vec3 motion) const
 Vec3 Mover::bent(Vec3 motion) const
 {
     const auto allowed = [&](Vec3 v, int i, int k) {
+        const Real into = std::max(kNothing, kRounding * length(v));
         for (int j = 0; j < planes_; ++j)
-            if (j != i && j != k && dot(v, plane_[j]) < -kNothing) return false;
+            if (j != i && j != k && dot(v, plane_[j]) < -into) return false;
         return true;
     };
     for (int i = planes_; i-- > 0;) {
@@ -205,7 +208,7 @@ void Mover::slide(Vec3 motion)
 {
     const Vec3 first = motion;
     planes_ = 0;
-    for (int i = 0; i < kSlides && length(motion) > kNothing; ++i) {
+    for (int i = 0; i < kSlides && length(motion) > nothing_; ++i) {
         const Touch touch = around_.cast(at_, motion);
         if (touch.obstacle < 0) {
             at_ += motion;
@@ -236,7 +239,7 @@ bool Mover::climb(Vec3& motion)
 {
     Vec3 ahead = without(motion, up_);
     const Real asked = length(ahead);
-    if (!(settings_.step_height > 0) || asked < kNothing) return false;
+    if (!(settings_.step_height > 0) || asked < nothing_) return false;
     ahead = ahead / asked;
     Vec3 q = at_;
     const Real height = settings_.step_height + Real(0.5) * skin_;
@@ -304,7 +307,7 @@ void Mover::stick()
         }
         if (!(dot(below.normal, up_) < kFoothold)) return;
         down = without((1 - below.distance / length(down)) * down, below.normal);
-        if (!(length(down) > kNothing)) return;
+        if (!(length(down) > nothing_)) return;
     }
 }
 

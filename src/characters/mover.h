@@ -62,6 +62,7 @@ class Mover {
     Real force_left_;  // impulse that may be given to bodies
     Surroundings around_;
     Vec3 start_, at_;
+    Real nothing_;    // m, a motion below the rounding of positions
     struct Support {  // found the last time
         Vec3 centre, face;
         Touch touch;

@@ -54,6 +54,7 @@ bool Surroundings::collect(Space& space, const Aabb& region)
     const Aabb& box = box_of(self_);
     half_ = Real(0.5) * (box.hi - box.lo);
     view_ = solid_view(self_, pose_of(self_));
+    reach_ = length(max(abs(region.lo), abs(region.hi)));
     const dCharacterSettings settings = self_.character->settings;
     const QueryFilter bits{self_.category, self_.collide};
     if (!collect_near(space, bits, region, near_)) return false;
@@ -75,11 +76,16 @@ bool Surroundings::add(Geom& geom, const Aabb& region)
             return obstacles_.push({&geom, -1, planes_.size(), Obstacle::kPlane, region}) &&
                    planes_.push(shape.as<Plane>());
         case QueryKind::kSolid:
-            return obstacles_.push({&geom, -1, solids_.size(), Obstacle::kSolid, box_of(geom)}) &&
-                   solids_.push(solid_view(*shape.geom, shape.pose));
+            return add_solid(geom, solid_view(*shape.geom, shape.pose));
         default:
             return add_triangles(geom, shape, region);
     }
+}
+
+bool Surroundings::add_solid(Geom& geom, const ConvexView& view)
+{
+    reach_ = std::max(reach_, length(view.pose.p) + view.size + view.radius);
+    return obstacles_.push({&geom, -1, solids_.size(), Obstacle::kSolid, box_of(geom)}) && solids_.push(view);
 }
 
 bool Surroundings::add_triangles(Geom& geom, const QueryShape& shape, const Aabb& region)
@@ -185,10 +191,14 @@ Touch Surroundings::touch(int obstacle, Vec3 centre, Real limit) const
     Separation s;
     const bool flat = o.kind == Obstacle::kTriangle;
     const Triangle* const t = flat ? triangles_.data() + o.index : nullptr;
-    if (t && height_over(*t, centre) > limit) return {};
+    const Real height = t ? height_over(*t, centre) : -kInf;
+    if (height > limit) return {};
     if (!t || !(separation_of_capsule(*t, centre, s) || separation_over(*t, centre, s)))
         s = separation_of(obstacle, view_at(centre), reach);
     if (!(s.distance <= reach)) return {};
+    // As near to the plane as to the triangle, to the tolerance, it touches the face and not an edge.
+    if (kSingle && s.distance - skin_ - height <= tolerance())
+        s.normal = t->height(centre) < 0 ? -t->n : t->n;
     return {obstacle, s.distance - skin_, s.normal, s.on_b};
 }
 

@@ -10,6 +10,8 @@
 //   cast  conservative advancement (query/sweep.h): along u, d is reached no sooner than after d / (-n . u)
 #pragma once
 
+#include <algorithm>
+
 #include "base/array.h"
 #include "collide/character.h"
 #include "query/query_shape.h"
@@ -57,8 +59,9 @@ class Surroundings {
     // The unit normal of the face that a touch lies on, which of an edge need not be that of the touch.
     Vec3 face_normal(const Touch& touch, Vec3 up) const;
 
-    // Shapes closer than this to the skin touch.
-    Real tolerance() const { return skin_ * (kSingle ? Real(1e-2) : Real(1e-4)); }
+    // Shapes closer than this to the skin touch. An edge between two faces of a flat surface is so met before the surface is, with a
+    // normal that is turned by up to sqrt(2 tolerance/skin): no more than rounding demands.
+    Real tolerance() const { return std::max(Real(1e-4) * skin_, 4 * kEpsilon * reach_); }
 
   private:
     struct Candidate {
@@ -66,6 +69,7 @@ class Surroundings {
         int obstacle;
     };
     [[nodiscard]] bool add(Geom& geom, const Aabb& region);
+    [[nodiscard]] bool add_solid(Geom& geom, const ConvexView& view);
     [[nodiscard]] bool add_triangles(Geom& geom, const QueryShape& shape, const Aabb& region);
     Touch advance(int obstacle, Vec3 centre, Vec3 along, Real from, Real limit) const;
     Real least_way(int obstacle, Vec3 centre, Vec3 along, Real limit) const;
@@ -80,7 +84,8 @@ class Surroundings {
     Real skin_;
     Vec3 velocity_;
     ConvexView view_;
-    Vec3 half_;  // of its box
+    Vec3 half_;       // of its box
+    Real reach_ = 0;  // m, of all that is near from the origin
     Array<Geom*> near_;
     Array<Obstacle> obstacles_;
     Array<ConvexView> solids_;
