@@ -44,7 +44,7 @@ Separation separation(const ConvexView& a, const ConvexView& b, Real limit)
     const Vec3 n = d.on_a - d.on_b;
     if (!(d.distance > 0)) return overlapping(a, b);
     if (d.distance > max_distance || !(length2(n) > 0)) return {};  // farther, found out early
-    const Separation s = inflated(a, b, d.distance, d.on_a, n / length(n));
+    const Separation s = inflated(a, b, d.distance, d.on_a, kSingle ? d.normal : n / length(n));
     return s.distance <= limit ? s : Separation{};
 }
 

@@ -38,7 +38,7 @@ Vec3 normal_across(const ConvexView& a, const ConvexView& b, Real gap, const Ove
     ConvexView apart = a;
     apart.pose.p += (at.depth + gap) * at.normal;
     const Distance d = gjk_distance(apart, b, kInf, kNearEnough);
-    Vec3 n = d.on_a - d.on_b;
+    Vec3 n = kSingle ? d.normal : d.on_a - d.on_b;
     return d.distance > 0 && normalize(n) ? n : at.normal;
 }
 
@@ -65,7 +65,7 @@ Overlap curved_overlap(const ConvexView& a, const ConvexView& b, Real enough)
     Overlap least = flat;
     // Apart by less than the polytope tells; so near that it crawls, the direction may still be a rough one.
     const Distance d = gjk_distance(a, b, kInf, kNearEnough);
-    Vec3 between = d.on_a - d.on_b;
+    Vec3 between = kSingle ? d.normal : d.on_a - d.on_b;
     if (d.distance > 0 && normalize(between)) {
         const Real h = extent(a, b, between).h;
         if (h < least.depth) least = {between, h};

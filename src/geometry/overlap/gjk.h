@@ -15,6 +15,7 @@ namespace epode {
 struct Distance {
     Real distance = 0;  // between the cores: radii are not subtracted; 0: they overlap or touch
     Vec3 on_a, on_b;    // closest points of the cores, meaningful when distance > 0
+    Vec3 normal;        // unit, from b to a, likewise
 };
 
 // Stops early with a lower bound once the distance is known to exceed `limit`, and with points so far apart

@@ -115,6 +115,25 @@ TEST(Convex, GjkDistanceIsBelowEveryPairOfPoints)
     }
 }
 
+// A box that stands 1 cm before a wall of 1 km, anywhere: corners of the wall are known to the rounding of half of it, the normal of its
+// face and the gap no worse. In floats a character passed such a wall.
+TEST(Convex, GjkFindsTheGapBeforeALongWall)
+{
+    Dice dice{std::mt19937_64(8)};
+    const Box wall = {{Real(0.5), 7, 500}}, standing = {{Real(0.3), Real(0.3), Real(0.9)}};
+    const Real gap = Real(0.01), rounding = 4 * kEpsilon * 500;
+    for (int i = 0; i < 1000; ++i) {
+        const Real angle = dice.between(0, 6), c = std::cos(angle), s = std::sin(angle);
+        const Real reach = Real(0.3) * (std::fabs(c) + std::fabs(s));
+        const Pose at = {{Real(-6) + reach + gap, dice.between(-6, 6), dice.between(-3, 3)},
+                         {{c, -s, 0}, {s, c, 0}, {0, 0, 1}}};
+        const Distance d =
+            gjk_distance(view_of(standing, at), view_of(wall, Pose{{Real(-6.5), 0, 0}, Mat3::identity()}));
+        EXPECT_NEAR(d.distance, gap, rounding) << i;
+        EXPECT_NEAR(d.normal.x, 1, 1e-5) << i;
+    }
+}
+
 TEST(Convex, GjkStopsAtTheLimit)
 {
     const Box box;

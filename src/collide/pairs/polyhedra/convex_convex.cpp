@@ -364,7 +364,7 @@ void convex_convex(const ConvexView& a, const ConvexView& b, ContactSink& sink)
     if (radii > 0) {  // the cores may be apart
         const Distance d = gjk_distance(a, b, radii);
         if (d.distance > radii) return;
-        Vec3 normal = d.on_a - d.on_b;
+        Vec3 normal = kSingle ? d.normal : d.on_a - d.on_b;
         if (d.distance > touch && normalize(normal))
             return convex_manifold(a, b, settled(a, b, normal, d.distance), -d.distance, sink);
     }
