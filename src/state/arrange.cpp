@@ -13,6 +13,7 @@
 #include "base/objects/structure_edition.h"
 #include "collide/describe.h"
 #include "collide/space.h"
+#include "collide/types/registry.h"
 #include "dynamics/coupling.h"
 #include "dynamics/sleep/sleeping_forces.h"
 #include "step/common/link.h"
@@ -102,7 +103,7 @@ const char* Arrangement::prepare(const Topology& from, const Topology& to, char*
     if (const char* obstacle = find_obstacle(to, text, size)) return obstacle;
     if ((has_coupling(from) || has_coupling(to)) && !same_joints(from, to))
         return "bodies or joints were created, destroyed or attached since, in a world with couplings";
-    for (const Topology::GeomRecord& r : from.geoms)
+    for (const Topology::GeomRecord& r : from.geoms.span().first(std::size_t(from.own_geoms)))
         if (is_newcomer(r, to) && is_held(*r.geom.object)) return "Invalid operation during a collision";
     return reserve(from, to) ? nullptr : kOutOfMemory;
 }
@@ -116,9 +117,16 @@ const char* Arrangement::find_obstacle(const Topology& to, char* text, std::size
     const auto can_come = [&](const auto& named) {
         return named.lives() || (named.is_parked() && parking_.has(named.object));
     };
-    for (int i = 0; i < to.bodies.size(); ++i)
+    if (to.fluids != world_.fluids.size()) return "the world has more or fewer fluids than the state";
+    for (int i = 0; i < to.bodies.size(); ++i) {
         if (!can_come(to.bodies[i].body))
             return say("body %d (of %d, in order of creation) has been destroyed", i, to.bodies.size());
+        if (to.bodies[i].wheels != wheels_of(*to.bodies[i].body.object))
+            return say(
+                "body %d (of %d, in order of creation) has become a vehicle since, is none any more, or has "
+                "more or fewer wheels",
+                i, to.bodies.size());
+    }
     for (int i = 0; i < to.joints.size(); ++i) {
         if (!can_come(to.joints[i].joint))
             return say("joint %d (of %d, in order of creation) has been destroyed", i, to.joints.size());
@@ -132,6 +140,7 @@ const char* Arrangement::find_obstacle(const Topology& to, char* text, std::size
                 "a geom of class %d has been destroyed that cannot be kept: a space, a transform, a geom "
                 "of a class of the program, or a member of a destroyed space",
                 r.number, 0);
+        if (in_locked_space(*r.geom.object)) return EPODE_LOCKED_TEXT;
         if (shape_hash(*r.geom.object) != r.shape)
             return say("a geom of class %d has another shape now", r.number, 0);
     }
@@ -247,7 +256,7 @@ void Arrangement::arrange_geoms(const Topology& from, const Topology& to, std::u
         if (r.body.object->place < 0) release_geoms(*r.body.object);
     for (const Topology::BodyRecord& r : to.bodies)
         if (!has_geoms(*r.body.object, to.of(r.geoms))) release_geoms(*r.body.object);
-    for (const Topology::GeomRecord& r : from.geoms) {
+    for (const Topology::GeomRecord& r : from.geoms.span().first(std::size_t(from.own_geoms))) {
         Geom& geom = *r.geom.object;
         if (!is_newcomer(r, to) || !is_present(geom)) continue;
         if (geom.space) remove_geom(*geom.space, geom);

@@ -61,7 +61,7 @@ bool History::set_frames(int frames)
 
 std::size_t History::bytes() const
 {
-    std::size_t sum = sizeof(Frame) * std::size_t(ring_.size());
+    std::size_t sum = sizeof(Frame) * std::size_t(ring_.size()) + present_.capacity;
     const Topology* before = nullptr;
     for (const Frame& f : ring_) {
         sum += f.state.capacity;
@@ -96,6 +96,7 @@ void History::clear()
     forget();
     for (Frame& f : ring_) f.state.release();
     ring_.reset();
+    present_.release();
     destroy_topology(spare_);
     spare_ = nullptr;
     if (frames_ > 0) g_worlds.fetch_sub(1, std::memory_order_relaxed);
@@ -146,21 +147,32 @@ bool History::take_topology(Frame& to)
     return true;
 }
 
+// Geoms that leave their space and enter it again have lost their contacts. False: out of memory.
+bool History::remember_present(const Topology& target)
+{
+    present_.size = 0;
+    return target.edition == structure_edition() ||
+           (state_.prepare() && state_.append(present_, Seal::kUnsealed));
+}
+
 const char* History::roll_back(int frames)
 {
     const std::uint64_t number = newest_ - std::uint64_t(frames);
     Frame& target = frame(number);
     Topology now;
-    if (!now.record(world_, true)) return kOutOfMemory;
+    if (!now.record(world_, true) || !now.record_spaces_of(*target.topology)) return kOutOfMemory;
     Arrangement arrangement(world_, parking_);
     if (const char* obstacle = arrangement.prepare(now, *target.topology, text_, sizeof text_))
         return obstacle;
+    if (!remember_present(*target.topology)) return kOutOfMemory;
     arrangement.apply(now, *target.topology, 0);
     const char* wrong = kOutOfMemory;
     if (state_.prepare(WorldState::Joints::kLasting))
         wrong = state_.set(target.state.data, target.state.size, Seal::kUnsealed);
     if (wrong) {
         arrangement.apply(*target.topology, now, newest_);
+        if (present_.size > 0 && state_.prepare())
+            (void)state_.set(present_.data, present_.size, Seal::kUnsealed);
         for (const Topology::GeomRecord& r : now.geoms)  // nothing has happened to them
             r.geom.object->watched = r.watched, r.geom.object->disturbed = r.disturbed;
         return wrong;

@@ -47,6 +47,7 @@ class History {
     Frame& frame(std::uint64_t number) { return ring_[int(number % std::uint64_t(ring_.size()))]; }
     [[nodiscard]] bool capture();
     [[nodiscard]] bool take_topology(Frame& to);
+    [[nodiscard]] bool remember_present(const Topology& target);
     void let_go(Frame& frame);
     void forget();  // all frames
     void clear();   // and their memory
@@ -55,6 +56,7 @@ class History {
     WorldState& state_;
     int frames_ = 0;
     Array<Frame> ring_;         // frames_ + 1
+    StateBytes present_;        // what a refused roll-back gives back
     std::uint64_t newest_ = 0;  // number of the last frame
     int count_ = 0;             // of frames
     Topology* spare_ = nullptr;

@@ -18,6 +18,7 @@ bool Topology::record(const World& world, bool contacts)
     bodies.clear(), joints.clear(), links.clear(), own_bytes.clear(), geoms.clear(), spaces.clear();
     edition = structure_edition();
     geoms_made = newest_geom_serial();
+    fluids = world.fluids.size();
     bool complete = bodies.reserve(world.bodies.count()) && joints.reserve(world.joints.count());
     for (Body& body : world.bodies) complete = complete && record_body(body, contacts);
     for (Joint& joint : world.joints)
@@ -28,12 +29,21 @@ bool Topology::record(const World& world, bool contacts)
     if (world.step_state && !record_space(world.step_state->world_contacts.live_space())) return false;
     for (int i = 0, count = geoms.size(); i < count; ++i)
         if (!record_space(geoms[i].geom.object->space)) return false;
+    own_geoms = geoms.size();
+    return true;
+}
+
+bool Topology::record_spaces_of(const Topology& other)
+{
+    for (const GeomRecord& r : other.geoms)
+        if (r.geom.lives() && !record_space(r.geom.object->space)) return false;
     return true;
 }
 
 bool Topology::record_body(Body& body, bool contacts)
 {
-    BodyRecord r{Named<Body>(body), body.mass, body.mass_hash, {links.size(), 0}, {geoms.size(), 0}};
+    BodyRecord r{Named<Body>(body), body.mass,         body.mass_hash,
+                 {links.size(), 0}, {geoms.size(), 0}, wheels_of(body)};
     bool complete = true;
     for (JointNode* n = body.joints; n; n = n->next)
         if (contacts || !is_contact(*n->joint)) complete = complete && links.push(n);

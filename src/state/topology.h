@@ -7,8 +7,9 @@
 //   links               joints of each body, the most recently attached first
 //   geoms               of each body, the newest first, with their offsets
 //   members             of every space in which one of these geoms is, or that has the world's contacts
-// Also the masses of bodies and, in the joints' own bytes, anchors and axes. Objects are named by address,
-// handle and serial number, which together recognise what has been destroyed.
+// Also the masses of bodies and, in the joints' own bytes, anchors and axes. Fluids, and which bodies are vehicles, are
+// recorded since they cannot come back. Objects are named by address, handle and serial number, which together recognise
+// what has been destroyed.
 #pragma once
 
 #include <cstddef>
@@ -16,6 +17,7 @@
 
 #include "base/array.h"
 #include "collide/geom.h"
+#include "dynamics/forces/vehicle.h"
 #include "dynamics/world.h"
 
 namespace epode {
@@ -54,6 +56,7 @@ struct Topology {
         dMass mass;
         std::uint64_t mass_hash;
         Range links, geoms;
+        int wheels;  // of a vehicle; below 0: it is none
     };
     struct JointRecord {
         Named<Joint> joint;
@@ -78,6 +81,8 @@ struct Topology {
 
     // The world as it is; contact joints too if `contacts` is set. False: out of memory.
     [[nodiscard]] bool record(const World& world, bool contacts);
+    // Also other spaces in which geoms of `other` are now, to which they must return if what leads there is taken back.
+    [[nodiscard]] bool record_spaces_of(const Topology& other);
     std::size_t bytes() const;
 
     std::span<const GeomRecord> of(Range range) const
@@ -93,10 +98,12 @@ struct Topology {
     Array<JointRecord> joints;  // the oldest first
     Array<JointNode*> links;
     Array<std::byte> own_bytes;  // of joints
-    Array<GeomRecord> geoms;     // of bodies, then of spaces
+    Array<GeomRecord> geoms;     // of bodies, then of spaces, then of other spaces
     Array<SpaceRecord> spaces;
     std::uint64_t edition = 0;  // of the structure
     std::uint64_t geoms_made = 0;
+    int own_geoms = 0;  // without those of other spaces
+    int fluids = 0;
     int users = 0;  // frames
 
   private:
@@ -105,6 +112,8 @@ struct Topology {
     [[nodiscard]] bool record_geom(Geom& geom);
     [[nodiscard]] bool record_space(Space* space);
 };
+
+inline int wheels_of(const Body& body) { return body.vehicle ? body.vehicle->wheel_count : -1; }
 
 // The part of a joint that only its type knows: anchors, axes, settings. It begins behind the last member of
 // LastingJoint, whose padding compilers give to the type.

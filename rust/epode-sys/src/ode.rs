@@ -3214,7 +3214,7 @@ extern "C" {
     /// and attachments; what has been created since is destroyed, contact objects of ODE's way too. Returns 1.
     /// Refused, with nothing changed: more than dWorldGetHistoryFrames, a call during a step; by name, what cannot
     /// come back: another shape of a geom, drives that are new, destroyed spaces, transforms and geoms of a class
-    /// of the program; with couplings, \`joints\` or bodies made or lost.
+    /// of the program; fluids, vehicles or wheels made or lost; with couplings, \`joints\` or bodies made or lost.
     pub fn dWorldRollBack(world: dWorldID, frames: c_int) -> c_int;
     /// Returns how many steps can be taken back now. A step without memory for its state
     /// sends a message, and the history begins again: then 0.
