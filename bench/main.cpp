@@ -186,6 +186,8 @@ CLI::App* add_hybrid(CLI::App& app, epode::bench::HybridOptions& options)
     command->add_option("--steps", options.steps, "that are timed (default 300)")
         ->check(CLI::Range(1, 1'000'000));
     command->add_flag("--large", options.large, "10,000 pieces of debris, too");
+    command->add_option("--only", options.only, "hybrid steps of this world alone");
+    command->add_option("--size", options.size, "of it (default: its own)")->check(CLI::Range(1, 1'000'000));
     return command;
 }
 

@@ -5,11 +5,15 @@
 // percentile and worst step.
 #pragma once
 
+#include <string>
+
 namespace epode::bench {
 
 struct HybridOptions {
     int steps = 300;
     bool large = false;  // 10,000 pieces of debris, too
+    std::string only;    // hybrid steps of this world alone
+    int size = 0;        // of it; 0: its own
 };
 
 int bench_hybrid(const HybridOptions& options);
