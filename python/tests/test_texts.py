@@ -15,7 +15,7 @@ import pytest
 import epode
 
 ROOT = Path(__file__).parent.parent.parent
-PAGES = [ROOT / "docs/python/index.md", ROOT / "docs/guide/robots.md", ROOT / "python/README.md", ROOT / "README.md"]
+PAGES = [ROOT / "docs/python/index.md", ROOT / "docs/guide/robots.md", ROOT / "docs/guide/howto/ragdolls.md", ROOT / "python/README.md", ROOT / "README.md"]
 MODULES = ["epode"] + [f"epode.{m.name}" for m in pkgutil.iter_modules(epode.__path__) if not m.name.startswith("_")]
 
 
