@@ -14,7 +14,7 @@ namespace epode::scenes {
 
 namespace {
 
-constexpr double kSide = 0.5, kWhen = 0.4, kReach = 7, kImpulse = 260, kSpeed = 6;
+constexpr double kSide = 0.5, kWhen = 0.4, kReach = 7, kImpulse = 150, kSpeed = 5;
 constexpr unsigned long kCrates = 1, kFlesh = 2;
 constexpr Vec kCharge{0, 0, 0.25};
 constexpr int kTowers = 6, kStoreys = 4, kFigures = 8;
