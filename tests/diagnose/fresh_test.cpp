@@ -64,7 +64,7 @@ class FreshHealthy : public testing::TestWithParam<Stepper> {
     Sim sim{GetParam()};
 };
 
-TEST_P(FreshHealthy, pile)
+TEST_P(FreshHealthy, a_pile_has_no_findings)
 {
     on_ground(0.6);
     Random random(8);
@@ -87,14 +87,14 @@ TEST_P(FreshHealthy, but_for_the_pile_that_begins_in_overlap)
     EXPECT_EQ(causes[0].kind, dDiagnosisOverlap) << list_of(causes);
 }
 
-TEST_P(FreshHealthy, machine)
+TEST_P(FreshHealthy, a_machine_has_no_findings)
 {
     build(sim, Scene::kMachine);
     sim.steps(steps_of(Scene::kMachine), 0.01);
     expect_healthy(sim);
 }
 
-TEST_P(FreshHealthy, wall)
+TEST_P(FreshHealthy, a_wall_has_no_findings)
 {
     build(sim, Scene::kWall);
     sim.steps(steps_of(Scene::kWall), 0.01);

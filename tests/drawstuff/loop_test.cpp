@@ -79,7 +79,7 @@ void run(std::vector<std::vector<Event>> frames, const Options& options = {},
     Loop(script, nullptr, draw_list(), functions, options).run();
 }
 
-TEST(Loop, StartsStepsAndStops)
+TEST(Loop, starts_steps_and_stops)
 {
     run({{}, {}, {}});
     EXPECT_EQ(diary.starts, 1);
@@ -88,7 +88,7 @@ TEST(Loop, StartsStepsAndStops)
     EXPECT_EQ(Loop::current(), nullptr);
 }
 
-TEST(Loop, NullFunctionsAreNotCalled)
+TEST(Loop, null_functions_are_not_called)
 {
     Script script({{}, {key('a')}, {}});
     const dsFunctions functions = {DS_VERSION, nullptr, nullptr, nullptr, nullptr, nullptr};
@@ -96,19 +96,19 @@ TEST(Loop, NullFunctionsAreNotCalled)
     EXPECT_EQ(script.seconds(), 0.75);
 }
 
-TEST(Loop, PausesAndTakesOneStep)
+TEST(Loop, pauses_and_takes_one_step)
 {
     run({{}, {control('P')}, {}, {control('O')}, {}, {control('P')}, {}});
     EXPECT_EQ(diary.pauses, "sppspss");
 }
 
-TEST(Loop, OneStepWhileRunningIsNothing)
+TEST(Loop, one_step_while_running_is_nothing)
 {
     run({{control('O')}, {}, {control('P')}, {}});
     EXPECT_EQ(diary.pauses, "sspp");
 }
 
-TEST(Loop, MayBeginPaused)
+TEST(Loop, may_begin_paused)
 {
     Options options;
     options.paused = true;
@@ -116,20 +116,20 @@ TEST(Loop, MayBeginPaused)
     EXPECT_EQ(diary.pauses, "psp");
 }
 
-TEST(Loop, PlainKeysGoToTheProgramAndControlKeysDoNot)
+TEST(Loop, plain_keys_go_to_the_program_and_control_keys_do_not)
 {
     run({{key('a'), key(' '), key('~')}, {control('T'), control('Q'), key('p')}});
     EXPECT_EQ(diary.keys, "a ~p");
 }
 
-TEST(Loop, ControlXEndsBeforeTheNextFrame)
+TEST(Loop, control_x_ends_before_the_next_frame)
 {
     run({{}, {control('X'), key('z')}, {}});
     EXPECT_EQ(diary.pauses, "s");
     EXPECT_EQ(diary.stops, 1);
 }
 
-TEST(Loop, DsStopEndsAfterTheFrame)
+TEST(Loop, ds_stop_ends_after_the_frame)
 {
     run({{}, {}, {}, {}}, {}, [] {
         if (diary.pauses.size() == 2) dsStop();
@@ -138,7 +138,7 @@ TEST(Loop, DsStopEndsAfterTheFrame)
     EXPECT_EQ(diary.stops, 1);
 }
 
-TEST(Loop, TexturesAndShadowsAreSwitchedByKeysAndFlags)
+TEST(Loop, textures_and_shadows_are_switched_by_keys_and_flags)
 {
     run({{}, {control('T')}, {control('S')}, {control('T'), control('S')}});
     ASSERT_EQ(diary.pictures.size(), 4u);
@@ -155,7 +155,7 @@ TEST(Loop, TexturesAndShadowsAreSwitchedByKeysAndFlags)
     EXPECT_FALSE(diary.pictures[0].shadows);
 }
 
-TEST(Loop, TheMouseMovesTheViewpointAndControlVPrintsIt)
+TEST(Loop, the_mouse_moves_the_viewpoint_and_control_v_prints_it)
 {
     testing::internal::CaptureStdout();
     run({{drag(kLeftButton, 20, -10)}, {drag(kRightButton, 0, 100)}, {control('V')}});
@@ -169,7 +169,7 @@ TEST(Loop, TheMouseMovesTheViewpointAndControlVPrintsIt)
     EXPECT_NE(diary.pictures[0].camera.eye[0], diary.pictures[1].camera.eye[0]);
 }
 
-TEST(Loop, EachFrameBeginsWhitePlainAndEmptyButForThePyramids)
+TEST(Loop, each_frame_begins_white_plain_and_empty_but_for_the_pyramids)
 {
     run({{}, {}}, {}, [] {
         const float place[3] = {0, 0, 3};
@@ -189,7 +189,7 @@ TEST(Loop, EachFrameBeginsWhitePlainAndEmptyButForThePyramids)
     EXPECT_EQ(diary.pictures[1].triangles.size(), 36u);
 }
 
-TEST(Loop, DrawModeStaysAndIsNotForThePyramids)
+TEST(Loop, draw_mode_stays_and_is_not_for_the_pyramids)
 {
     run({{}, {}}, {}, [] { dsSetDrawMode(DS_WIREFRAME); });
     dsSetDrawMode(DS_POLYFILL);
@@ -198,7 +198,7 @@ TEST(Loop, DrawModeStaysAndIsNotForThePyramids)
     for (const epode::viewer::Triangle& triangle : diary.pictures[1].triangles) EXPECT_FALSE(triangle.wire);
 }
 
-TEST(Loop, ElapsedTimeIsSinceTheLastCallAndKeepsItsBounds)
+TEST(Loop, elapsed_time_is_since_the_last_call_and_keeps_its_bounds)
 {
     std::vector<double> times;
     run({{}, {}, {}}, {}, [&] {
@@ -215,7 +215,7 @@ TEST(Loop, ElapsedTimeIsSinceTheLastCallAndKeepsItsBounds)
     EXPECT_EQ(times.back(), 1);
 }
 
-TEST(Loop, ShapesHaveTheirSizesInOurOrder)
+TEST(Loop, shapes_have_their_sizes_in_our_order)
 {
     run({{}}, {}, [] {
         const double place[3] = {1, 2, 3};
@@ -234,7 +234,7 @@ TEST(Loop, ShapesHaveTheirSizesInOurOrder)
     EXPECT_EQ(cylinder.kind, epode::viewer::ShapeKind::kCylinder);
 }
 
-TEST(Loop, TrianglesAreTurnedIntoTheWorld)
+TEST(Loop, triangles_are_turned_into_the_world)
 {
     run({{}}, {}, [] {
         const float place[3] = {1, 2, 3}, turned[12] = {0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0};

@@ -161,7 +161,7 @@ class Pictures : public testing::Test {
     }
 };
 
-TEST_F(Pictures, EveryShapeIsWhereItBelongsByFloatsAndByDoubles)
+TEST_F(Pictures, every_shape_is_where_it_belongs_by_floats_and_by_doubles)
 {
     const Shot& shot = board("-notex -noshadow");
     for (const int row : {0, 1}) {
@@ -190,7 +190,7 @@ TEST_F(Pictures, EveryShapeIsWhereItBelongsByFloatsAndByDoubles)
 }
 
 // The pyramid's four sides face the sun differently, so they differ in brightness.
-TEST_F(Pictures, FacesOfAConvexSolidAreLitByTheirDirection)
+TEST_F(Pictures, faces_of_a_convex_solid_are_lit_by_their_direction)
 {
     const Shot& shot = board("-notex -noshadow");
     const int to_sun = shot.cell(6, 0, 0.3f, 0, 1.32f).sum(),
@@ -198,9 +198,12 @@ TEST_F(Pictures, FacesOfAConvexSolidAreLitByTheirDirection)
     EXPECT_GT(to_sun, from_sun + 60);
 }
 
-TEST_F(Pictures, CAndCppDrawTheSamePicture) { EXPECT_TRUE(board("").image.rgb == board("", 1).image.rgb); }
+TEST_F(Pictures, c_and_cpp_draw_the_same_picture)
+{
+    EXPECT_TRUE(board("").image.rgb == board("", 1).image.rgb);
+}
 
-TEST_F(Pictures, ShadowsFallAlongTheLightAndCanBeSwitchedOff)
+TEST_F(Pictures, shadows_fall_along_the_light_and_can_be_switched_off)
 {
     const Shot &with = board("-notex"), &without = board("-notex -noshadows");
     // The middle of the box's upper side, carried along (1, 0.4, 1) to the floor.
@@ -232,7 +235,7 @@ Spread spread(const Shot& shot, int column)
     return result;
 }
 
-TEST_F(Pictures, TexturesVaryAndCanBeSwitchedOff)
+TEST_F(Pictures, textures_vary_and_can_be_switched_off)
 {
     const Shot &with = board(""), &without = board("-notex");
     for (int column = 0; column < 4; ++column) {
@@ -248,7 +251,7 @@ TEST_F(Pictures, TexturesVaryAndCanBeSwitchedOff)
     EXPECT_GT(sky.mean[2], sky.mean[0]) << "the sky is blue";
 }
 
-TEST_F(Pictures, TheTranslucentLetsThroughWhatIsBehind)
+TEST_F(Pictures, the_translucent_lets_through_what_is_behind)
 {
     const Shot& shot = board("-notex -noshadow");
     const Rgb through = shot.cell(4, 2, 0, 0), plate = shot.cell(4, 2, 0.65f, 0.65f, 0.55f);
@@ -258,7 +261,7 @@ TEST_F(Pictures, TheTranslucentLetsThroughWhatIsBehind)
     EXPECT_LT(through.r, plate.r - 20);
 }
 
-TEST_F(Pictures, WiresAreThinnerThanSurfaces)
+TEST_F(Pictures, wires_are_thinner_than_surfaces)
 {
     const Shot& shot = board("-notex -noshadow");
     for (const int column : {5, 6}) {
@@ -279,7 +282,7 @@ TEST_F(Pictures, WiresAreThinnerThanSurfaces)
     EXPECT_FALSE(is_yellow(shot.cell(7, 2, 0.25f, 0))) << "its middle";
 }
 
-TEST_F(Pictures, NonsenseSpoilsNothing)
+TEST_F(Pictures, nonsense_spoils_nothing)
 {
     const Shot& shot = board("-notex -noshadow");
     over_cell(shot, 1, 0, 0.3f, 1,
@@ -287,7 +290,7 @@ TEST_F(Pictures, NonsenseSpoilsNothing)
     over_cell(shot, 1, 0, 0.9f, 0, [](Rgb c) { EXPECT_GT(c.sum(), 150) << "something black"; });
 }
 
-TEST_F(Pictures, RunsEndByDsStopAndWriteWhatIsAsked)
+TEST_F(Pictures, runs_end_by_ds_stop_and_write_what_is_asked)
 {
     const Folder folder;
     const Ended ended =
@@ -327,7 +330,7 @@ Shot draw_here(const float (&place)[3], const float (&angles)[3], std::vector<co
     return shot;
 }
 
-TEST_F(Pictures, NinePyramidsStandRoundTheOrigin)
+TEST_F(Pictures, nine_pyramids_stand_round_the_origin)
 {
     for (int x = -1; x <= 1; ++x) {
         for (int y = -1; y <= 1; y += x == 0 ? 1 : 2) {
@@ -345,7 +348,7 @@ TEST_F(Pictures, NinePyramidsStandRoundTheOrigin)
     EXPECT_TRUE(is_red(draw_here(place, angles, {"-notex"}, nullptr).at(1.015f, 0, 0.02f)));
 }
 
-TEST_F(Pictures, TheSkyIsAboveAndTheFloorEnds)
+TEST_F(Pictures, the_sky_is_above_and_the_floor_ends)
 {
     const float place[3] = {0, 0, 1}, level[3] = {0, 0, 0};
     const Shot shot = draw_here(place, level, {}, nullptr);
@@ -357,7 +360,7 @@ TEST_F(Pictures, TheSkyIsAboveAndTheFloorEnds)
     EXPECT_GT(nothing.b, nothing.r) << "beyond the floor there is none";
 }
 
-TEST_F(Pictures, TexturesOfTheProgramAreUsed)
+TEST_F(Pictures, textures_of_the_program_are_used)
 {
     const Folder textures;
     for (const char* name : {"wood", "checkered", "ground", "sky"}) {

@@ -44,7 +44,7 @@ class Given {
     bool had_ = false;
 };
 
-TEST(Options, FlagsAreDrawstuffs)
+TEST(Options, flags_are_drawstuffs)
 {
     const Options none = read({"-something", "else", "-pauses"});
     EXPECT_TRUE(none.textures && none.shadows && !none.paused && none.texture_path.empty());
@@ -57,7 +57,7 @@ TEST(Options, FlagsAreDrawstuffs)
     EXPECT_EQ(read({}, 1, "c").texture_path, "") << "there was no path in version 1";
 }
 
-TEST(Options, AWindowOnlyWhereThereIsAScreenUnlessAskedFor)
+TEST(Options, a_window_only_where_there_is_a_screen_unless_asked_for)
 {
     const Given no_wayland("WAYLAND_DISPLAY", nullptr);
     {
@@ -77,7 +77,7 @@ TEST(Options, AWindowOnlyWhereThereIsAScreenUnlessAskedFor)
     EXPECT_FALSE(read({}).headless);
 }
 
-TEST(Options, FramesAreCountedAndPlacedByTheSurroundings)
+TEST(Options, frames_are_counted_and_placed_by_the_surroundings)
 {
     {
         const Given a("EPODE_FRAMES", nullptr), b("EPODE_FRAME_COUNT", nullptr),
@@ -108,7 +108,7 @@ class PpmTest : public testing::Test {
     viewer::Image image_;
 };
 
-TEST_F(PpmTest, ComesBackAsItWasWritten)
+TEST_F(PpmTest, comes_back_as_it_was_written)
 {
     const viewer::Image image = {2, 1, {0, 10, 255, 35, 32, 10}};
     ASSERT_TRUE(write_ppm(path_, image));
@@ -119,7 +119,7 @@ TEST_F(PpmTest, ComesBackAsItWasWritten)
     EXPECT_FALSE(write_ppm("/no/such/folder/a.ppm", image));
 }
 
-TEST_F(PpmTest, HeadersMayHaveCommentsAndMustBeWhole)
+TEST_F(PpmTest, headers_may_have_comments_and_must_be_whole)
 {
     EXPECT_TRUE(read_text("P6 # by hand\n1\n# two\n2 255\nabcdef"));
     EXPECT_EQ(image_.rgb[5], 'f');
@@ -133,7 +133,7 @@ TEST_F(PpmTest, HeadersMayHaveCommentsAndMustBeWhole)
     EXPECT_FALSE(read_ppm("/no/such/file.ppm", image_));
 }
 
-TEST(Textures, FittingKeepsMeansAndColours)
+TEST(Textures, fitting_keeps_means_and_colours)
 {
     viewer::Image image{2, 2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255}};
     const viewer::Image large = viewer::fitted(image);
@@ -151,7 +151,7 @@ TEST(Textures, FittingKeepsMeansAndColours)
 }
 
 // Each varies, none is black or white, and the seams are no rougher than the inside.
-TEST(Textures, OursVaryAndHaveNoSeams)
+TEST(Textures, ours_vary_and_have_no_seams)
 {
     using viewer::Texture;
     constexpr int n = viewer::kTextureSide;

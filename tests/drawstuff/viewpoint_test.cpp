@@ -33,7 +33,7 @@ Seen seen(const Viewpoint& viewpoint, float x, float y, float z, int width = 800
     return {pixel[0] - 0.5f * static_cast<float>(width), 0.5f * static_cast<float>(height) - pixel[1]};
 }
 
-TEST(Viewpoint, HeadingPitchAndRollTurnTheRightWay)
+TEST(Viewpoint, heading_pitch_and_roll_turn_the_right_way)
 {
     EXPECT_NEAR(seen(at(0, 0, 0, 0, 0, 0), 10, 0, 0).right, 0, 0.01);
     EXPECT_TRUE(std::isnan(seen(at(0, 0, 0, 0, 0, 0), -10, 0, 0).right));
@@ -47,7 +47,7 @@ TEST(Viewpoint, HeadingPitchAndRollTurnTheRightWay)
     EXPECT_NEAR(rolled.up, 0, 0.01);
 }
 
-TEST(Viewpoint, OpensByFourFifthsAlongTheLongerSide)
+TEST(Viewpoint, opens_by_four_fifths_along_the_longer_side)
 {
     const Viewpoint viewpoint = at(0, 0, 0, 0, 0, 0);
     EXPECT_NEAR(seen(viewpoint, 10, -8, 0).right, 400, 0.1);
@@ -55,7 +55,7 @@ TEST(Viewpoint, OpensByFourFifthsAlongTheLongerSide)
     EXPECT_NEAR(seen(viewpoint, 10, 0, 8, 600, 800).up, 400, 0.1);
 }
 
-TEST(Viewpoint, AnglesAreWrapped)
+TEST(Viewpoint, angles_are_wrapped)
 {
     const Viewpoint viewpoint = at(0, 0, 0, 725, -190, 361);
     EXPECT_NEAR(viewpoint.hpr[0], 5, 1e-4);
@@ -63,7 +63,7 @@ TEST(Viewpoint, AnglesAreWrapped)
     EXPECT_NEAR(viewpoint.hpr[2], 1, 1e-4);
 }
 
-TEST(Viewpoint, NumbersThatAreNoneChangeNothing)
+TEST(Viewpoint, numbers_that_are_none_change_nothing)
 {
     Viewpoint viewpoint = at(1, 2, 3, 4, 5, 6);
     const float bad[3] = {0, std::numeric_limits<float>::infinity(), 0}, good[3] = {7, 7, 7};
@@ -73,7 +73,7 @@ TEST(Viewpoint, NumbersThatAreNoneChangeNothing)
     EXPECT_EQ(viewpoint.hpr[0], 4);
 }
 
-TEST(Viewpoint, TheMouseMovesTheScene)
+TEST(Viewpoint, the_mouse_moves_the_scene)
 {
     Viewpoint viewpoint = at(0, 0, 1, 90, 0, 0);
     viewpoint.drag(kLeftButton, 10, 4);

@@ -6,7 +6,7 @@
 
 namespace {
 
-TEST_F(Gazebo, FallsRestsAndSleeps)
+TEST_F(Gazebo, falls_rests_and_sleeps)
 {
     const WorldPtr world = world_of(plane() + body("b", "0 0 2 0 0 0", box(1)));
     const LinkPtr link = link_of(world, "b");
@@ -22,7 +22,7 @@ TEST_F(Gazebo, FallsRestsAndSleeps)
     EXPECT_TRUE(output.Get<physics::ChangedWorldPoses>().entries.empty());
 }
 
-TEST_F(Gazebo, KindsOfShapesRestOnTheirWeight)
+TEST_F(Gazebo, kinds_of_shapes_rest_on_their_weight)
 {
     const struct {
         const char *geometry, *pose;
@@ -50,7 +50,7 @@ TEST_F(Gazebo, KindsOfShapesRestOnTheirWeight)
     EXPECT_NEAR(force, 5 * kGravity, 0.02 * 5 * kGravity);
 }
 
-TEST_F(Gazebo, MasksAndModelsDecideWhatTouches)
+TEST_F(Gazebo, masks_and_models_decide_what_touches)
 {
     const std::string ball = "<sphere><radius>0.1</radius></sphere>";
     const auto bits = [](int mask) {
@@ -71,7 +71,7 @@ TEST_F(Gazebo, MasksAndModelsDecideWhatTouches)
     EXPECT_NEAR(place(link_of(world, "pair", "under")).z(), 0.1, 1e-3);
 }
 
-TEST_F(Gazebo, CallbackChangesFriction)
+TEST_F(Gazebo, callback_changes_friction)
 {
     const WorldPtr world = world_of(plane() + body("b", "0 0 0.25 0 0 0", box(0.5)));
     world->SetGravity(Vec3(kGravity * 0.5, 0, -kGravity));
@@ -94,7 +94,7 @@ TEST_F(Gazebo, CallbackChangesFriction)
     EXPECT_FALSE(world->RemoveContactPropertiesCallback("ice"));
 }
 
-TEST_F(Gazebo, FreeGroupsMoveAsOne)
+TEST_F(Gazebo, free_groups_move_as_one)
 {
     const std::string two =
         "<model name='two'>" + link("a", "0 0 1 0 0 0") + link("b", "1 0 1 0 0 0") +
@@ -123,7 +123,7 @@ TEST_F(Gazebo, FreeGroupsMoveAsOne)
     EXPECT_FALSE(world_of(held)->GetModel("m")->FindFreeGroup());
 }
 
-TEST_F(Gazebo, ExternalForcesAreNewtons)
+TEST_F(Gazebo, external_forces_are_newtons)
 {
     const WorldPtr world = world_of(body("b", "0 0 1 0 0 0", box(1)));
     world->SetGravity(Vec3(0, 0, 0));
@@ -138,7 +138,7 @@ TEST_F(Gazebo, ExternalForcesAreNewtons)
     EXPECT_NEAR(data.angularVelocity.z(), 0.5 / 0.1 * 0.1, 1e-9);
 }
 
-TEST_F(Gazebo, RemovalInMidRun)
+TEST_F(Gazebo, removal_in_mid_run)
 {
     const WorldPtr world =
         world_of(plane() + body("under", "0 0 0.5 0 0 0", box(1)) + body("over", "0 0 1.5 0 0 0", box(1)));
@@ -158,7 +158,7 @@ TEST_F(Gazebo, RemovalInMidRun)
     EXPECT_TRUE(world->RemoveModel("over"));
 }
 
-TEST_F(Gazebo, NestedModelsKeepTheirFrames)
+TEST_F(Gazebo, nested_models_keep_their_frames)
 {
     const std::string outer =
         "<model name='outer'><pose>1 2 3 0 0 1.5707963267948966</pose>" + link("a", "0 0 0 0 0 0") +
@@ -178,7 +178,7 @@ TEST_F(Gazebo, NestedModelsKeepTheirFrames)
     step(world, 10);
 }
 
-TEST_F(Gazebo, BoxesAroundShapes)
+TEST_F(Gazebo, boxes_around_shapes)
 {
     const WorldPtr world = world_of(body("b", "1 0 0 0 0 0.7853981633974483", box(2)));
     const auto of_link = link_of(world, "b")->GetAxisAlignedBoundingBox();
@@ -193,7 +193,7 @@ TEST_F(Gazebo, BoxesAroundShapes)
     EXPECT_FALSE(link_of(world, "b")->GetShape(0)->CastToSphereShape());
 }
 
-TEST_F(Gazebo, SameCallsGiveTheSameBits)
+TEST_F(Gazebo, same_calls_give_the_same_bits)
 {
     const std::string models =
         plane() + body("a", "0 0 1 0.3 0.2 0.1", box(0.5)) + body("b", "0.1 0 2 0 0.4 0", box(0.5));

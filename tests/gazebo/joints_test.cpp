@@ -30,7 +30,7 @@ class Jointed : public Gazebo {
     WorldPtr world_;
 };
 
-TEST_F(Jointed, PositionsOfEveryKindAreTheFilesOwn)
+TEST_F(Jointed, positions_of_every_kind_are_the_files_own)
 {
     const struct {
         const char *type, *axes, *more;
@@ -64,7 +64,7 @@ TEST_F(Jointed, PositionsOfEveryKindAreTheFilesOwn)
     }
 }
 
-TEST_F(Jointed, ChildStandsWherePositionsPutIt)
+TEST_F(Jointed, child_stands_where_positions_put_it)
 {
     const JointPtr joint = make(jointed("universal", axis("1 0 0") + axis("0 1 0", "", "axis2")));
     joint->SetPosition(0, 0.5), joint->SetPosition(1, -0.8);
@@ -82,7 +82,7 @@ TEST_F(Jointed, ChildStandsWherePositionsPutIt)
     EXPECT_GT(screw->GetPosition(0), 2.5);
 }
 
-TEST_F(Jointed, ForcesLastAStep)
+TEST_F(Jointed, forces_last_a_step)
 {
     const JointPtr joint = make(jointed("revolute", axis("0 0 1")));
     for (int i = 0; i < 100; ++i) joint->SetForce(0, 0.3), step(world_, 1);
@@ -97,7 +97,7 @@ TEST_F(Jointed, ForcesLastAStep)
     EXPECT_NEAR(joint->GetVelocity(0), 0.4 / kMoment * 0.1, 1e-6);
 }
 
-TEST_F(Jointed, VelocityCommandsKeepTheirLimits)
+TEST_F(Jointed, velocity_commands_keep_their_limits)
 {
     const JointPtr joint =
         make(jointed("revolute", axis("0 0 1", "<limit><effort>2</effort><velocity>3</velocity></limit>")));
@@ -115,7 +115,7 @@ TEST_F(Jointed, VelocityCommandsKeepTheirLimits)
     EXPECT_NEAR(joint->GetVelocity(0), 1, 1e-6);
 }
 
-TEST_F(Jointed, StopsDampingFrictionAndSprings)
+TEST_F(Jointed, stops_damping_friction_and_springs)
 {
     JointPtr joint =
         make(jointed("prismatic", axis("1 0 0", "<limit><lower>-1</lower><upper>0.2</upper></limit>")));
@@ -146,7 +146,7 @@ TEST_F(Jointed, StopsDampingFrictionAndSprings)
     EXPECT_NEAR(joint->GetPosition(0), 0.5, 1e-4);
 }
 
-TEST_F(Jointed, WrenchIsWhatTheParentExerts)
+TEST_F(Jointed, wrench_is_what_the_parent_exerts)
 {
     // 2 kg, 0.5 m out along x of a joint that holds it level.
     const JointPtr joint = make(
@@ -161,7 +161,7 @@ TEST_F(Jointed, WrenchIsWhatTheParentExerts)
     EXPECT_LT((joint->GetTransformToChild().translation() - Vec3(0.5, 0, 0)).norm(), 1e-12);
 }
 
-TEST_F(Gazebo, MimicFollowsItsLeader)
+TEST_F(Gazebo, mimic_follows_its_leader)
 {
     const std::string mimic = "<mimic joint='lead'><multiplier>-2</multiplier><offset>0.1</offset></mimic>";
     const std::string gripper =
@@ -181,7 +181,7 @@ TEST_F(Gazebo, MimicFollowsItsLeader)
     EXPECT_NEAR(follow->GetVelocity(0), -2 * lead->GetVelocity(0), 1e-4);
 }
 
-TEST_F(Gazebo, AttachesAndDetaches)
+TEST_F(Gazebo, attaches_and_detaches)
 {
     const std::string ball = "<sphere><radius>0.1</radius></sphere>";
     const WorldPtr world = world_of(body("a", "0 0 1 0 0 0", ball) + body("b", "0.5 0 1 0 0 0", ball));
@@ -202,7 +202,7 @@ TEST_F(Gazebo, AttachesAndDetaches)
     EXPECT_FALSE(a->AttachFixedJoint(a, "itself"));
 }
 
-TEST_F(Gazebo, LoopsOfJointsHold)
+TEST_F(Gazebo, loops_of_joints_hold)
 {
     // Four bars in a square, closed, that hang on the world.
     std::string loop = "<model name='m'>";

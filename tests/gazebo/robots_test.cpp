@@ -24,7 +24,7 @@ class Robots : public Gazebo {
     }
 };
 
-TEST_F(Robots, CartDrivesAsItsWheelsTurn)
+TEST_F(Robots, cart_drives_as_its_wheels_turn)
 {
     const std::string ice = "<surface><friction><ode><mu>0</mu></ode></friction></surface>";
     const std::string y = "<xyz expressed_in='__model__'>0 1 0</xyz>";
@@ -54,7 +54,7 @@ TEST_F(Robots, CartDrivesAsItsWheelsTurn)
     EXPECT_NEAR(data.angularVelocity.z(), kRadius * 2 / kTrack, 0.02);
 }
 
-TEST_F(Robots, GripperLiftsWhatItHolds)
+TEST_F(Robots, gripper_lifts_what_it_holds)
 {
     const auto finger = [](const std::string& name, const char* pose) {
         return link(name, pose, "<box><size>0.02 0.06 0.1</size></box>", 0.2, 0.001);

@@ -45,7 +45,7 @@ class Values : public Gazebo {
     }
 };
 
-TEST_F(Values, SolversByName)
+TEST_F(Values, solvers_by_name)
 {
     for (const char* name : {"quick", "world", "hybrid", "substeps"}) {
         const WorldPtr world = world_of(plane() + body("b", "0 0 0.6 0 0 0", box(1)),
@@ -57,7 +57,7 @@ TEST_F(Values, SolversByName)
     EXPECT_EQ(world_of(plane())->GetSolver(), "hybrid");
 }
 
-TEST_F(Values, SweepsAndTheirRelaxation)
+TEST_F(Values, sweeps_and_their_relaxation)
 {
     const auto stack = [this](const std::string& more) {
         std::string models = plane();
@@ -74,7 +74,7 @@ TEST_F(Values, SweepsAndTheirRelaxation)
     EXPECT_NE(stack("<iters>50</iters><sor>0.7</sor>"), usual);
 }
 
-TEST_F(Values, ErrorsAreCorrectedAsConstraintsSay)
+TEST_F(Values, errors_are_corrected_as_constraints_say)
 {
     const std::string level = "<contact_surface_layer>0</contact_surface_layer>";
     const std::string exact = "<type>world</type>";
@@ -90,7 +90,7 @@ TEST_F(Values, ErrorsAreCorrectedAsConstraintsSay)
     EXPECT_NEAR(height(ode(exact, layer), 0.5, 1500), 0.48, 1e-3);
 }
 
-TEST_F(Values, SoftnessIsASpring)
+TEST_F(Values, softness_is_a_spring)
 {
     // k = erp / (h cfm) = 0.2 / (0.001 0.1); it holds 1 kg.
     const std::string held =
@@ -102,7 +102,7 @@ TEST_F(Values, SoftnessIsASpring)
     EXPECT_NEAR(1 - z, kGravity / 2000, 0.05 * kGravity / 2000);
 }
 
-TEST_F(Values, FrictionOfBothDirections)
+TEST_F(Values, friction_of_both_directions)
 {
     // a = g_x - mu g_z.
     EXPECT_NEAR(slide("<mu>0.3</mu><mu2>0.3</mu2>", 0.5, 0).x(), 0.2 * kGravity * 0.2, 0.01);
@@ -113,7 +113,7 @@ TEST_F(Values, FrictionOfBothDirections)
     EXPECT_NEAR(slide(across, 0, 0.5).y(), 0.4 * kGravity * 0.2, 0.01);
 }
 
-TEST_F(Values, BouncesAboveItsThreshold)
+TEST_F(Values, bounces_above_its_threshold)
 {
     const auto surface = [](const char* threshold) {
         return "<surface><bounce><restitution_coefficient>0.8</restitution_coefficient><threshold>" +
@@ -127,7 +127,7 @@ TEST_F(Values, BouncesAboveItsThreshold)
     EXPECT_NEAR(bounce(""), 0, 1e-3);
 }
 
-TEST_F(Values, StiffnessIsThatOfAPoint)
+TEST_F(Values, stiffness_is_that_of_a_point)
 {
     const std::string soft = "<surface><contact><ode><kp>1000</kp><kd>100</kd></ode></contact></surface>";
     // Four points under the box: m g / 4 k.

@@ -48,7 +48,7 @@ class Slope : public gz::common::HeightmapData {
     float MaxElevation() const override { return 6; }
 };
 
-TEST_F(Gazebo, WrongFilesLeaveTheRestOfTheWorld)
+TEST_F(Gazebo, wrong_files_leave_the_rest_of_the_world)
 {
     const std::string heavy = "<model name='bad'>" + link("zero", "0 0 1 0 0 0", "", 0, 0) + "</model>";
     const std::string mesh = body("mesh", "0 0 1 0 0 0", "<mesh><uri>nowhere/at/all.dae</uri></mesh>");
@@ -66,7 +66,7 @@ TEST_F(Gazebo, WrongFilesLeaveTheRestOfTheWorld)
     EXPECT_NEAR(place(link_of(world, "good")).z(), 0.5, 1e-3);
 }
 
-TEST_F(Gazebo, WrongCallsAreRefused)
+TEST_F(Gazebo, wrong_calls_are_refused)
 {
     const WorldPtr world = world_of(body("a", "0 0 1 0 0 0", box(1)));
     const LinkPtr link = link_of(world, "a");
@@ -93,7 +93,7 @@ TEST_F(Gazebo, WrongCallsAreRefused)
     EXPECT_EQ(place(link).x(), 0);
 }
 
-TEST_F(Gazebo, PiecesMakeTheSameAsAWhole)
+TEST_F(Gazebo, pieces_make_the_same_as_a_whole)
 {
     const WorldPtr world = engine_->ConstructEmptyWorld("pieces");
     const ModelPtr ground = world->ConstructEmptyModel("ground");
@@ -111,7 +111,7 @@ TEST_F(Gazebo, PiecesMakeTheSameAsAWhole)
     EXPECT_NEAR(place(box).z(), 0.5, 1e-3);
 }
 
-TEST_F(Gazebo, MeshesAndHeightMaps)
+TEST_F(Gazebo, meshes_and_height_maps)
 {
     const WorldPtr world = world_of(
         plane() +
@@ -140,7 +140,7 @@ TEST_F(Gazebo, MeshesAndHeightMaps)
     EXPECT_NEAR(place(link_of(world, "m")).z(), 0.25, 1e-3);
 }
 
-TEST_F(Gazebo, CreatingAndRemovingLeavesNothing)
+TEST_F(Gazebo, creating_and_removing_leaves_nothing)
 {
     const char* const wanted = std::getenv("EPODE_GAZEBO_CYCLES");
     const int cycles = wanted ? std::atoi(wanted) : 1000;

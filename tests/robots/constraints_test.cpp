@@ -32,7 +32,7 @@ const char* const kLoops =
     "<connect body1='slide' body2='free' anchor='0.1 0 0.2'/>"
     "<joint joint1='s' joint2='h' polycoef='0.1 0.4 0 0 0'/></equality></mujoco>";
 
-TEST(Constraints, JacobianIsTheDerivativeOfTheErrors)
+TEST(Constraints, jacobian_is_the_derivative_of_the_errors)
 {
     const RobotModel model = load_robot_text("loops.xml", kLoops);
     ASSERT_FALSE(model.has_errors());
@@ -97,7 +97,7 @@ class ConstrainedInverse : public testing::Test {
     std::vector<dReal> q;
 };
 
-TEST_F(ConstrainedInverse, AFourBarLoopStaysClosed)
+TEST_F(ConstrainedInverse, a_four_bar_loop_stays_closed)
 {
     load(EPODE_MODELS "/fourbar.xml");
     for (double angle : {0.3, -0.8, 1.2}) {
@@ -108,7 +108,7 @@ TEST_F(ConstrainedInverse, AFourBarLoopStaysClosed)
     }
 }
 
-TEST_F(ConstrainedInverse, AGripperOfFourBarsFollowsItsMimic)
+TEST_F(ConstrainedInverse, a_gripper_of_four_bars_follows_its_mimic)
 {
     load(EPODE_DEMOS "/fourbar_gripper.xml");
     for (double angle : {-0.5, -1.1, 0.4}) {
@@ -122,7 +122,7 @@ TEST_F(ConstrainedInverse, AGripperOfFourBarsFollowsItsMimic)
 }
 
 // Above its reach the crank points up, and the loops are closed all the same.
-TEST_F(ConstrainedInverse, LoopsHoldWhereTheTargetIsOutOfReach)
+TEST_F(ConstrainedInverse, loops_hold_where_the_target_is_out_of_reach)
 {
     load(EPODE_DEMOS "/fourbar_gripper.xml");
     for (dReal& value : q) value = dReal(0.1);
@@ -132,7 +132,7 @@ TEST_F(ConstrainedInverse, LoopsHoldWhereTheTargetIsOutOfReach)
     EXPECT_NEAR(at("right_crank"), 0, 1e-3);
 }
 
-TEST_F(ConstrainedInverse, MimickingFingersMoveTogether)
+TEST_F(ConstrainedInverse, mimicking_fingers_move_together)
 {
     load(EPODE_MODELS "/arm.urdf");
     const std::vector<dReal> wanted{dReal(0.4), dReal(-1.1), dReal(0.02), dReal(-0.02)};

@@ -231,7 +231,7 @@ class DecompositionTest : public testing::Test {
     std::vector<Hull> hulls;
 };
 
-TEST_F(DecompositionTest, ABracketIsItsTwoPlates)
+TEST_F(DecompositionTest, a_bracket_is_its_two_plates)
 {
     decompose(bracket());
     ASSERT_EQ(geoms.size(), 2u);
@@ -242,7 +242,7 @@ TEST_F(DecompositionTest, ABracketIsItsTwoPlates)
     for (const Hull& hull : hulls) EXPECT_EQ(hull.vertices(), 8);
 }
 
-TEST_F(DecompositionTest, AConvexSolidStaysWhole)
+TEST_F(DecompositionTest, a_convex_solid_stays_whole)
 {
     options.max_vertices = 0;
     decompose(turned({{0, -1}, {0.6, -0.8}, {1, 0}, {0.6, 0.8}, {0, 1}}, 24));
@@ -251,7 +251,7 @@ TEST_F(DecompositionTest, AConvexSolidStaysWhole)
     EXPECT_EQ(report.uncovered, 0);
 }
 
-TEST_F(DecompositionTest, ATorusKeepsItsHole)
+TEST_F(DecompositionTest, a_torus_keeps_its_hole)
 {
     options.tolerance = dReal(0.06), options.max_vertices = 0;
     const Solid solid = torus(1, 0.25, 48, 24);
@@ -266,7 +266,7 @@ TEST_F(DecompositionTest, ATorusKeepsItsHole)
     EXPECT_GE(height({0, 0, 0}), 0.5);
 }
 
-TEST_F(DecompositionTest, TheReportedSurplusIsThatOfTheHulls)
+TEST_F(DecompositionTest, the_reported_surplus_is_that_of_the_hulls)
 {
     const Solid solid = torus(1, 0.25, 48, 24);
     options.max_vertices = 0;
@@ -281,7 +281,7 @@ TEST_F(DecompositionTest, TheReportedSurplusIsThatOfTheHulls)
     }
 }
 
-TEST_F(DecompositionTest, ACupHoldsABall)
+TEST_F(DecompositionTest, a_cup_holds_a_ball)
 {
     const Solid solid = cup();
     decompose(solid);
@@ -292,7 +292,7 @@ TEST_F(DecompositionTest, ACupHoldsABall)
     EXPECT_NEAR(at.z, 0.25, double(report.surplus) + 0.005);
 }
 
-TEST_F(DecompositionTest, ABowlHoldsABall)
+TEST_F(DecompositionTest, a_bowl_holds_a_ball)
 {
     options.tolerance = dReal(0.02);
     const Solid solid = bowl();
@@ -309,7 +309,7 @@ TEST_F(DecompositionTest, ABowlHoldsABall)
     EXPECT_LT(std::hypot(at.x, at.y), 0.1);
 }
 
-TEST_F(DecompositionTest, VerticesCanBeLimited)
+TEST_F(DecompositionTest, vertices_can_be_limited)
 {
     options.tolerance = dReal(0.1), options.max_vertices = 12;
     const Solid solid = torus(1, 0.25, 48, 24);
@@ -320,7 +320,7 @@ TEST_F(DecompositionTest, VerticesCanBeLimited)
     EXPECT_LE(largest_height(solid), double(report.uncovered) + kExact);
 }
 
-TEST_F(DecompositionTest, ThereAreAtMostSoManyHulls)
+TEST_F(DecompositionTest, there_are_at_most_so_many_hulls)
 {
     options.tolerance = dReal(0.04), options.max_vertices = 0;
     for (int capacity : {1, 2, 7}) {
@@ -332,7 +332,7 @@ TEST_F(DecompositionTest, ThereAreAtMostSoManyHulls)
     }
 }
 
-TEST_F(DecompositionTest, TheSameBitsEveryTime)
+TEST_F(DecompositionTest, the_same_bits_every_time)
 {
     options.tolerance = dReal(0.1);
     decompose(torus(1, 0.25, 32, 16));
@@ -343,7 +343,7 @@ TEST_F(DecompositionTest, TheSameBitsEveryTime)
 }
 
 // Two boxes that do not touch are two hulls, not one across the gap.
-TEST_F(DecompositionTest, PiecesThatDoNotTouchStayApart)
+TEST_F(DecompositionTest, pieces_that_do_not_touch_stay_apart)
 {
     Solid both = prism({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1);
     const Solid other = prism({{3, 0}, {4, 0}, {4, 1}, {3, 1}}, 1);
@@ -356,7 +356,7 @@ TEST_F(DecompositionTest, PiecesThatDoNotTouchStayApart)
 }
 
 // A triangle less: still the solid, since a hole of a triangle's size in a plate is smaller than what it bounds.
-TEST_F(DecompositionTest, AnOpenMeshIsReportedAndDecomposed)
+TEST_F(DecompositionTest, an_open_mesh_is_reported_and_decomposed)
 {
     Solid open = cup();
     open.triangles.resize(open.triangles.size() - 3);
@@ -377,7 +377,7 @@ void keep_message(int, const char* text, va_list arguments)
     said = buffer;
 }
 
-TEST_F(DecompositionTest, WhatIsNoSolidIsRefusedWithAReason)
+TEST_F(DecompositionTest, what_is_no_solid_is_refused_with_a_reason)
 {
     dSetMessageHandler(&keep_message);
     const auto refused = [&](const Solid& solid, const char* reason) {

@@ -161,7 +161,7 @@ Moment random_moment(const RobotModel& model, std::mt19937& random)
 }
 
 // What MuJoCo 4.0 has: qfrc_passive of this file.
-TEST(FluidModel, exerts_what_MuJoCo_computes)
+TEST(FluidModel, exerts_what_mu_jo_co_computes)
 {
     const RobotModel model = load_robot_text("r.xml", in_medium(kWater, kChain));
     const double root = std::sqrt(0.8 * 0.8 + 0.4 * 0.4 + 0.4 * 0.4 + 0.2 * 0.2);

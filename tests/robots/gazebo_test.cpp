@@ -40,7 +40,7 @@ bool has_note(const RobotModel& model, Note note, const std::string& text)
     return false;
 }
 
-TEST(Gazebo, FrictionIsThatOfTheFirstDirection)
+TEST(Gazebo, friction_is_that_of_the_first_direction)
 {
     const RobotModel same = read("<gazebo reference='one'><mu1>0.3</mu1><mu2>0.3</mu2></gazebo>");
     ASSERT_FALSE(same.has_errors());
@@ -61,7 +61,7 @@ TEST(Gazebo, FrictionIsThatOfTheFirstDirection)
 }
 
 // The upper box is weightless: the lower falls by g t^2 / 2 and the upper stays, to the step's first order.
-TEST(Gazebo, GravityIsTurnedOffLinkByLink)
+TEST(Gazebo, gravity_is_turned_off_link_by_link)
 {
     const RobotModel model = read(
         "<gazebo reference='two'><turnGravityOff>true</turnGravityOff></gazebo>"
@@ -83,7 +83,7 @@ TEST(Gazebo, GravityIsTurnedOffLinkByLink)
     EXPECT_NEAR(inverse_dynamics(model, {0, 0}, {0, 0}, {0, 0}, model.gravity)[0], 9.81, 1e-12);
 }
 
-TEST(Gazebo, ALinkThatDoesNotCollideIsKeptFromAllOthers)
+TEST(Gazebo, a_link_that_does_not_collide_is_kept_from_all_others)
 {
     const RobotModel model = read("<gazebo reference='two'><selfCollide>false</selfCollide></gazebo>");
     ASSERT_EQ(model.excluded.size(), 1u);
@@ -91,7 +91,7 @@ TEST(Gazebo, ALinkThatDoesNotCollideIsKeptFromAllOthers)
     EXPECT_TRUE(read("<gazebo reference='two'><selfCollide>true</selfCollide></gazebo>").excluded.empty());
 }
 
-TEST(Gazebo, SpringsOfJointsAreRead)
+TEST(Gazebo, springs_of_joints_are_read)
 {
     const RobotModel model = read(
         "<gazebo "
@@ -103,7 +103,7 @@ TEST(Gazebo, SpringsOfJointsAreRead)
 }
 
 // The accelerometer stands still 0.2 m above its link's origin and is turned by half a turn about x.
-TEST(Gazebo, SensorsGetAFrameAndAreRead)
+TEST(Gazebo, sensors_get_a_frame_and_are_read)
 {
     const RobotModel model = read(
         "<gazebo reference='two'><sensor name='imu' type='imu'><pose>0 0 0.2 3.14159265358979 0 "
@@ -141,7 +141,7 @@ TEST(Gazebo, SensorsGetAFrameAndAreRead)
     dCloseODE();
 }
 
-TEST(Gazebo, WhatIsNotReadIsReportedByName)
+TEST(Gazebo, what_is_not_read_is_reported_by_name)
 {
     const RobotModel model = read(
         "<gazebo><plugin name='p'/></gazebo><gazebo reference='one'><fdir1>1 0 "
@@ -165,7 +165,7 @@ TEST(Gazebo, WhatIsNotReadIsReportedByName)
     EXPECT_TRUE(has_note(askew, Note::kIgnored, "<pose> in <gazebo>"));
 }
 
-TEST(Gazebo, WeightlessLinksAreWrittenInBothFormats)
+TEST(Gazebo, weightless_links_are_written_in_both_formats)
 {
     const RobotModel model = read("<gazebo reference='two'><turnGravityOff>1</turnGravityOff></gazebo>");
     EXPECT_TRUE(load_robot_text("r.urdf", write_urdf(model, ".").text).links[2].is_weightless);

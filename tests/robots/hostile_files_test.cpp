@@ -52,7 +52,7 @@ std::string joint(const std::string& name, const std::string& parent, const std:
            child + "'/>" + more + "</joint>\n";
 }
 
-TEST(HostileFiles, BrokenXmlIsRefusedWithItsLine)
+TEST(HostileFiles, broken_xml_is_refused_with_its_line)
 {
     expect_error("<robot>\n<link", "at line 2");
     expect_error("", "No document element");
@@ -60,7 +60,7 @@ TEST(HostileFiles, BrokenXmlIsRefusedWithItsLine)
 }
 
 // Found by the fuzzer: a radius of 1e120 m makes a mass beyond all numbers.
-TEST(HostileFiles, MassesBeyondAllNumbersAreRefused)
+TEST(HostileFiles, masses_beyond_all_numbers_are_refused)
 {
     LoadOptions from_shapes;
     from_shapes.inertia_from_shapes = from_shapes.repair = true;
@@ -89,7 +89,7 @@ void expect_sizes(const std::string& text, const std::string& wanted)
             << value << " in " << text << " got: " << with(value);
 }
 
-TEST(HostileFiles, NumbersBeyondTheLimitAreRefusedEverywhere)
+TEST(HostileFiles, numbers_beyond_the_limit_are_refused_everywhere)
 {
     const auto mjcf = [](const std::string& joint, const std::string& geom, const std::string& more) {
         return "<mujoco><worldbody><body name='b'><joint name='j' " + joint +
@@ -110,7 +110,7 @@ TEST(HostileFiles, NumbersBeyondTheLimitAreRefusedEverywhere)
     expect_sizes(urdf(link("a") + link("b") + joint("j", "a", "b", "<origin xyz='0 @ 0'/>")), "link 'b'");
 }
 
-TEST(RobotFiles, LimitsBeyondTheLimitOfNumbersAreNone)
+TEST(RobotFiles, limits_beyond_the_limit_of_numbers_are_none)
 {
     const RobotModel model = load_robot_text(
         kModels + "/text.xml", urdf(link("a") + link("b") +
@@ -124,12 +124,12 @@ TEST(RobotFiles, LimitsBeyondTheLimitOfNumbersAreNone)
     EXPECT_EQ(model.joints[1].max_force, kInfinity);
 }
 
-TEST(HostileFiles, EntitiesAreRefused)
+TEST(HostileFiles, entities_are_refused)
 {
     expect_error("<!DOCTYPE r [<!ENTITY a 'aaaa'><!ENTITY b '&a;&a;'>]><robot/>", "entities of its own");
 }
 
-TEST(HostileFiles, TreesThatAreNoneAreRefused)
+TEST(HostileFiles, trees_that_are_none_are_refused)
 {
     expect_error(urdf(link("a") + link("a")), "3: a second link 'a'");
     expect_error(urdf(link("a") + link("b")), "2 links that are nobody's child");
@@ -142,7 +142,7 @@ TEST(HostileFiles, TreesThatAreNoneAreRefused)
     expect_error(urdf(""), "0 links");
 }
 
-TEST(HostileFiles, NumbersThatAreNoneAreRefused)
+TEST(HostileFiles, numbers_that_are_none_are_refused)
 {
     expect_error(urdf(link("a") + link("b") + joint("j", "a", "b", "<axis xyz='0 0 nan'/>")),
                  "4: axis xyz = '0 0 nan', wanted 3 finite numbers");
@@ -155,7 +155,7 @@ TEST(HostileFiles, NumbersThatAreNoneAreRefused)
                  "mimics 'nobody'");
 }
 
-TEST(HostileFiles, InertiasThatNoBodyHasAreNamedAndMended)
+TEST(HostileFiles, inertias_that_no_body_has_are_named_and_mended)
 {
     const std::string bad =
         "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='5' ixy='0' ixz='0' iyz='0'/></inertial>";
@@ -166,7 +166,7 @@ TEST(HostileFiles, InertiasThatNoBodyHasAreNamedAndMended)
     EXPECT_EQ(errors_of(load_robot_text("x.urdf", text, repair)), "");
 }
 
-TEST(HostileFiles, AMovingLinkWithoutMassHasTwoWaysOut)
+TEST(HostileFiles, a_moving_link_without_mass_has_two_ways_out)
 {
     const std::string text =
         urdf(link("a") + link("b", "<collision><geometry><sphere radius='0.1'/></geometry></collision>") +
@@ -180,7 +180,7 @@ TEST(HostileFiles, AMovingLinkWithoutMassHasTwoWaysOut)
     EXPECT_EQ(errors_of(load_robot_text("x.urdf", text, options)), "");
 }
 
-TEST(HostileFiles, AMissingMeshNamesThePlaces)
+TEST(HostileFiles, a_missing_mesh_names_the_places)
 {
     const std::string shape =
         "<collision><geometry><mesh filename='package://nowhere/a.stl'/></geometry></collision>";
@@ -188,7 +188,7 @@ TEST(HostileFiles, AMissingMeshNamesThePlaces)
 }
 
 // A secret two folders above the robot is neither a mesh nor an include.
-TEST(HostileFiles, NothingOutsideTheRootsIsRead)
+TEST(HostileFiles, nothing_outside_the_roots_is_read)
 {
     namespace fs = std::filesystem;
     const fs::path top =
@@ -210,7 +210,7 @@ TEST(HostileFiles, NothingOutsideTheRootsIsRead)
 }
 
 // A name without a folder, and one whose package lies above the folder that is worked in, as a shell gives them.
-TEST(RobotFiles, NamesCountFromTheFolderThatIsWorkedIn)
+TEST(RobotFiles, names_count_from_the_folder_that_is_worked_in)
 {
     namespace fs = std::filesystem;
     const fs::path before = fs::current_path();
@@ -235,7 +235,7 @@ TEST(RobotFiles, NamesCountFromTheFolderThatIsWorkedIn)
 }
 
 // Defaults of a position servo are turned into a general one's by their texts, and reports have numbers.
-TEST(RobotFiles, AreReadTheSameWhereTheLocaleHasCommas)
+TEST(RobotFiles, are_read_the_same_where_the_locale_has_commas)
 {
     const std::string servo =
         "<mujoco><default><position kp='2.5' kv='0.5'/></default><worldbody><body name='b'><joint name='j' "
@@ -255,7 +255,7 @@ TEST(RobotFiles, AreReadTheSameWhereTheLocaleHasCommas)
     EXPECT_EQ(texts(), wanted);
 }
 
-TEST(HostileFiles, IncludesInCirclesAreRefused)
+TEST(HostileFiles, includes_in_circles_are_refused)
 {
     namespace fs = std::filesystem;
     const fs::path top =
@@ -267,7 +267,7 @@ TEST(HostileFiles, IncludesInCirclesAreRefused)
     fs::remove_all(top);
 }
 
-TEST(HostileFiles, DepthIsLimited)
+TEST(HostileFiles, depth_is_limited)
 {
     std::string text = "<mujoco><worldbody>";
     for (int i = 0; i < 100'000; ++i) text += "<body>";
@@ -336,7 +336,7 @@ void expect_written_is_read(const RobotModel& model, const std::string& source)
     }
 }
 
-TEST(HostileFiles, MutatedRobotsDoNotCrash)
+TEST(HostileFiles, mutated_robots_do_not_crash)
 {
     dInitODE2(0);
     dSetMessageHandler(&ignore_message);
@@ -372,7 +372,7 @@ TEST(HostileFiles, MutatedRobotsDoNotCrash)
 }
 
 // A robot that names a mesh of its own: the mesh's bytes are mutated.
-TEST(HostileFiles, MutatedMeshesDoNotCrash)
+TEST(HostileFiles, mutated_meshes_do_not_crash)
 {
     namespace fs = std::filesystem;
     const fs::path top =
@@ -408,7 +408,7 @@ offset="0"/><vcount>3 3 3 3</vcount><p>0 2 1 0 1 3 1 2 3 0 3 2</p></polylist></m
 }
 
 // The same of height fields.
-TEST(HostileFiles, MutatedHeightsDoNotCrash)
+TEST(HostileFiles, mutated_heights_do_not_crash)
 {
     namespace fs = std::filesystem;
     const fs::path top =

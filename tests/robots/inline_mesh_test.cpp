@@ -45,7 +45,7 @@ RobotModel read(const std::string& text, const LoadOptions& options = {})
     return load_robot_text("robot.xml", text, options);
 }
 
-TEST(InlineMesh, HasTheMassOfItsSolid)
+TEST(InlineMesh, has_the_mass_of_its_solid)
 {
     const RobotModel model = read(with_mesh(kBracket + bracket_faces()));
     ASSERT_FALSE(model.has_errors()) << model.report[0].text;
@@ -54,7 +54,7 @@ TEST(InlineMesh, HasTheMassOfItsSolid)
     EXPECT_NEAR(model.links[1].centre.z, 1, 1e-9);
 }
 
-TEST(InlineMesh, WithoutFacesIsTheHullOfItsVertices)
+TEST(InlineMesh, without_faces_is_the_hull_of_its_vertices)
 {
     const RobotModel model = read(with_mesh("vertex='0 0 0 1 0 0 0 1 0 0 0 1 0.1 0.1 0.1' scale='2 1 -1'"));
     ASSERT_FALSE(model.has_errors());
@@ -62,7 +62,7 @@ TEST(InlineMesh, WithoutFacesIsTheHullOfItsVertices)
     EXPECT_EQ(model.meshes[0].vertices.size(), 4u);
 }
 
-TEST(InlineMesh, IsWrittenAndReadAgain)
+TEST(InlineMesh, is_written_and_read_again)
 {
     const RobotModel model = read(with_mesh(kBracket + bracket_faces()));
     const RobotModel again = read(write_mjcf(model, ".").text);
@@ -72,7 +72,7 @@ TEST(InlineMesh, IsWrittenAndReadAgain)
     EXPECT_TRUE(read(with_mesh("vertex='0 0 0 1 0 0 0 1 0 0 0 1'")).report.empty());
 }
 
-TEST(InlineMesh, WhatIsNoMeshIsAnErrorWithItsName)
+TEST(InlineMesh, what_is_no_mesh_is_an_error_with_its_name)
 {
     const std::pair<const char*, const char*> broken[] = {
         {"vertex='0 0 0 1 0 0 0 1 0'", "vertex"},
@@ -90,7 +90,7 @@ TEST(InlineMesh, WhatIsNoMeshIsAnErrorWithItsName)
     }
 }
 
-TEST(InlineMesh, CollidesAsOneHullOrAsItsParts)
+TEST(InlineMesh, collides_as_one_hull_or_as_its_parts)
 {
     dInitODE2(0);
     const auto count = [](const LoadOptions& options) {
@@ -116,7 +116,7 @@ TEST(InlineMesh, CollidesAsOneHullOrAsItsParts)
     dCloseODE();
 }
 
-TEST(Mjcf, ContactsSwitchedOffLeaveLooks)
+TEST(Mjcf, contacts_switched_off_leave_looks)
 {
     const RobotModel model = read(
         "<mujoco><option><flag contact='disable'/></option><worldbody><body><freejoint/><geom "
@@ -127,7 +127,7 @@ TEST(Mjcf, ContactsSwitchedOffLeaveLooks)
 }
 
 // L1 - L1_0 = c0 + c1 (L2 - L2_0), with lengths that are sums of coordinates.
-TEST(Mjcf, AnEqualityOfTendonsIsACoupling)
+TEST(Mjcf, an_equality_of_tendons_is_a_coupling)
 {
     const RobotModel model = read(
         "<mujoco><compiler angle='radian'/><worldbody>"
@@ -146,7 +146,7 @@ TEST(Mjcf, AnEqualityOfTendonsIsACoupling)
     EXPECT_TRUE(model.report.empty());
 }
 
-TEST(Mjcf, FullGravityCompensationIsNoGravity)
+TEST(Mjcf, full_gravity_compensation_is_no_gravity)
 {
     const auto gravcomp = [](const char* share) {
         return read(std::string("<mujoco><worldbody><body gravcomp='") + share +

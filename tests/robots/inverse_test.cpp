@@ -77,7 +77,7 @@ class RobotInverse : public testing::Test {
     dRobotInverseResult result{};
 };
 
-TEST_F(RobotInverse, FindsTwoHundredPosesThatTheArmReaches)
+TEST_F(RobotInverse, finds_two_hundred_poses_that_the_arm_reaches)
 {
     int starts = 0;
     for (int i = 0; i < 200; ++i) {
@@ -99,7 +99,7 @@ TEST_F(RobotInverse, FindsTwoHundredPosesThatTheArmReaches)
     EXPECT_LT(starts, 1000);
 }
 
-TEST_F(RobotInverse, SameArgumentsGiveTheSameBits)
+TEST_F(RobotInverse, same_arguments_give_the_same_bits)
 {
     pose_at(random_positions(), target.position, target.q);
     std::vector<dReal> one(7, 0), two(7, 0);
@@ -108,7 +108,7 @@ TEST_F(RobotInverse, SameArgumentsGiveTheSameBits)
 }
 
 // The shoulder stands at (0, 0, 0.31), and the tip of the stretched arm 0.99 m from it.
-TEST_F(RobotInverse, PointsAtWhatIsOutOfReach)
+TEST_F(RobotInverse, points_at_what_is_out_of_reach)
 {
     target.orientation_weight = 0;
     const dReal far[3] = {2, 1, 1};
@@ -128,7 +128,7 @@ TEST_F(RobotInverse, PointsAtWhatIsOutOfReach)
 }
 
 // Stretched upwards, all of three axes agree and two directions are lost.
-TEST_F(RobotInverse, LeavesASingularPositionWithoutAJump)
+TEST_F(RobotInverse, leaves_a_singular_position_without_a_jump)
 {
     std::vector<dReal> q(7, 0);
     pose_at(q, target.position, target.q);
@@ -145,7 +145,7 @@ TEST_F(RobotInverse, LeavesASingularPositionWithoutAJump)
     for (dReal value : up) EXPECT_LT(std::fabs(value), 1e-3);
 }
 
-TEST_F(RobotInverse, FollowsThePostureWhereTheTargetLeavesAChoice)
+TEST_F(RobotInverse, follows_the_posture_where_the_target_leaves_a_choice)
 {
     const std::vector<dReal> posture = {dReal(0.4), dReal(0.6), dReal(-0.5), dReal(1.2), dReal(0.3),
                                         dReal(0.5), 0};
@@ -164,7 +164,7 @@ TEST_F(RobotInverse, FollowsThePostureWhereTheTargetLeavesAChoice)
     EXPECT_LT(std::sqrt(away), kIsDouble ? 1e-5 : 1e-2);  // the posture itself is a solution
 }
 
-TEST_F(RobotInverse, LockedJointsStayAndHeavyOnesMoveLess)
+TEST_F(RobotInverse, locked_joints_stay_and_heavy_ones_move_less)
 {
     std::vector<dReal> q = {0, dReal(0.5), 0, dReal(-0.8), 0, dReal(0.3), 0};
     dQuaternion turn;
@@ -182,7 +182,7 @@ TEST_F(RobotInverse, LockedJointsStayAndHeavyOnesMoveLess)
     EXPECT_GT(std::fabs(light[0]), 10 * std::fabs(light[2]));
 }
 
-TEST_F(RobotInverse, SaysWhatItRefuses)
+TEST_F(RobotInverse, says_what_it_refuses)
 {
     static int refused;
     refused = 0;

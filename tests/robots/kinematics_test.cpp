@@ -18,7 +18,7 @@ using namespace epode::robots;
 const std::string kModels = EPODE_MODELS;
 
 // A two-link arm that turns about y: M11 = I1 + I2 + m1 c1^2 + m2 (l^2 + c2^2 + 2 l c2 cos q2) and so on.
-TEST(RobotKinematics, MassMatrixOfATwoLinkArmIsTheTextbooks)
+TEST(RobotKinematics, mass_matrix_of_a_two_link_arm_is_the_textbooks)
 {
     const RobotModel model = load_robot_text("arm.xml", R"(<mujoco><worldbody><body>
         <joint axis="0 1 0"/><inertial pos="0.3 0 0" mass="3" diaginertia="0.1 0.1 0.1"/>
@@ -56,7 +56,7 @@ TEST(RobotKinematics, columns_of_the_mass_matrix_are_forces_of_unit_acceleration
     }
 }
 
-TEST(RobotKinematics, JacobianIsTheDerivativeOfThePoint)
+TEST(RobotKinematics, jacobian_is_the_derivative_of_the_point)
 {
     const RobotModel model = load_robot(kModels + "/walker.xml");
     std::vector<double> q = model.starts[0].positions;
@@ -76,7 +76,7 @@ TEST(RobotKinematics, JacobianIsTheDerivativeOfThePoint)
 }
 
 // What inverse dynamics computes holds an arm still that would fall without it.
-TEST(RobotKinematics, GravityCompensationHoldsAnArm)
+TEST(RobotKinematics, gravity_compensation_holds_an_arm)
 {
     dInitODE2(0);
     const dWorldID world = dWorldCreate();

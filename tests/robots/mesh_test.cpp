@@ -47,12 +47,12 @@ double signed_volume(const Mesh& mesh)
     return sum;
 }
 
-TEST(Glb, IsReadWithItsOwnAxes)
+TEST(Glb, is_read_with_its_own_axes)
 {
     expect_tetrahedron(mesh_of("a.glb", tetrahedron_glb()), 1.0 / 6, {0.25, 0.25, 0.25});
 }
 
-TEST(Glb, NodesTurnScaleAndMove)
+TEST(Glb, nodes_turn_scale_and_move)
 {
     const double h = std::sqrt(0.5);
     const std::string turned =
@@ -64,13 +64,13 @@ TEST(Glb, NodesTurnScaleAndMove)
     expect_tetrahedron(mesh_of("a.glb", tetrahedron_glb(matrix)), 1.0 / 6, {4.75, 0.25, 0.25});
 }
 
-TEST(Glb, MirrorsTurnTrianglesRound)
+TEST(Glb, mirrors_turn_triangles_round)
 {
     EXPECT_GT(signed_volume(mesh_of("a.glb", tetrahedron_glb())), 0);
     EXPECT_GT(signed_volume(mesh_of("a.glb", tetrahedron_glb(R"({"mesh":0,"scale":[-1,1,1]})"))), 0);
 }
 
-TEST(Glb, SaysWhatItDoesNotRead)
+TEST(Glb, says_what_it_does_not_read)
 {
     const std::string packed =
         tetrahedron_glb(R"({"mesh":0})", R"(,"extensionsRequired":["KHR_draco_mesh_compression"])");
@@ -82,7 +82,7 @@ TEST(Glb, SaysWhatItDoesNotRead)
               std::string::npos);
 }
 
-TEST(Meshes, MuJoCosOldFormatIsRead)
+TEST(Meshes, mu_jo_cos_old_format_is_read)
 {
     const std::uint32_t counts[4] = {4, 1, 1, 4}, triangles[12] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
     const float floats[17] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -94,7 +94,7 @@ TEST(Meshes, MuJoCosOldFormatIsRead)
     EXPECT_NE(problem_of("a.msh", bytes).find("is broken"), std::string::npos);
 }
 
-TEST(Meshes, NegativeScaleMirrorsAndKeepsTheOutsideOutside)
+TEST(Meshes, negative_scale_mirrors_and_keeps_the_outside_outside)
 {
     Mesh mesh = mesh_of("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
     EXPECT_NEAR(signed_volume(mesh), 1.0 / 6, 1e-12);
@@ -103,7 +103,7 @@ TEST(Meshes, NegativeScaleMirrorsAndKeepsTheOutsideOutside)
     expect_tetrahedron(mesh, 2.0 / 6, {0.25, -0.5, 0.25});
 }
 
-TEST(Meshes, ColladaInstancesAGeometryTwice)
+TEST(Meshes, collada_instances_a_geometry_twice)
 {
     const std::string text =
         R"(<COLLADA><library_geometries><geometry id="g"><mesh><source id="s"><float_array>0 0 0 1 0 0 0 1 0 0 0 1</float_array>

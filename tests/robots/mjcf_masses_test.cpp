@@ -36,7 +36,7 @@ void expect_moments(const Link& link, double x, double y, double z, double toler
     EXPECT_NEAR(link.inertia[2][2], z, tolerance);
 }
 
-TEST(MjcfMasses, AcrossFromtoAShapeHasItsFirstSize)
+TEST(MjcfMasses, across_fromto_a_shape_has_its_first_size)
 {
     const std::string ends = " size='0.1 0.2' fromto='0 0 0 0 0 0.6'";
     EXPECT_NEAR(link_of("<geom type='box'" + ends + "/>").mass, 8000 * 0.1 * 0.1 * 0.3, 1e-9);
@@ -45,7 +45,7 @@ TEST(MjcfMasses, AcrossFromtoAShapeHasItsFirstSize)
 }
 
 // A shell is what a solid gains by growing: its surface moves out by e.
-TEST(MjcfMasses, AShellIsWhatASolidGains)
+TEST(MjcfMasses, a_shell_is_what_a_solid_gains)
 {
     const double e = 1e-4;
     const struct {
@@ -79,7 +79,7 @@ constexpr double kOfHulls = sizeof(dReal) == 8 ? 1e-9 : 1e-3;
 const std::string kBox =
     "vertex='-.1 -.2 -.3  .1 -.2 -.3  -.1 .2 -.3  .1 .2 -.3  -.1 -.2 .3  .1 -.2 .3  -.1 .2 .3  .1 .2 .3'";
 
-TEST(MjcfMasses, AMeshMayBeAShell)
+TEST(MjcfMasses, a_mesh_may_be_a_shell)
 {
     const Link box = link_of(geom("box", 0.1, 0.2, 0.3, "shellinertia='true'"));
     const Link mesh = link_of("<geom type='mesh' mesh='m'/>",
@@ -90,7 +90,7 @@ TEST(MjcfMasses, AMeshMayBeAShell)
 }
 
 // Two tetrahedra of 1/6 m^3 in one mesh; the hull of both is a pyramid over a square with the diagonals 2.
-TEST(MjcfMasses, AConvexMeshIsItsHull)
+TEST(MjcfMasses, a_convex_mesh_is_its_hull)
 {
     const std::string two =
         "vertex='0 0 0 1 0 0 0 1 0 0 0 1 -1 0 0 0 -1 0' "
@@ -105,7 +105,7 @@ TEST(MjcfMasses, AConvexMeshIsItsHull)
 }
 
 // A vertex v becomes S R^T (v - p).
-TEST(MjcfMasses, AMeshIsScaledInItsOwnFrame)
+TEST(MjcfMasses, a_mesh_is_scaled_in_its_own_frame)
 {
     const auto at = [](const std::string& more) {
         return link_of("<geom type='mesh' mesh='m'/>",
@@ -126,7 +126,7 @@ TEST(MjcfMasses, AMeshIsScaledInItsOwnFrame)
     }
 }
 
-TEST(MjcfMasses, ABoundRaisesEachMomentAndComesBeforeTheBalance)
+TEST(MjcfMasses, a_bound_raises_each_moment_and_comes_before_the_balance)
 {
     const auto with = [](const std::string& moments, const std::string& compiler) {
         return link_of("<inertial pos='0 0 0' mass='2' diaginertia='" + moments + "'/>",

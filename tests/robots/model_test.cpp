@@ -29,7 +29,7 @@ const Link& link_of(const RobotModel& model, const std::string& name)
     return model.links[size_t(std::max(0, number))];
 }
 
-TEST(Urdf, WeldsFixedLinksAndAddsTheirMasses)
+TEST(Urdf, welds_fixed_links_and_adds_their_masses)
 {
     const RobotModel model = load_robot(kModels + "/arm.urdf");
     ASSERT_FALSE(model.has_errors()) << report_of(model);
@@ -44,7 +44,7 @@ TEST(Urdf, WeldsFixedLinksAndAddsTheirMasses)
     EXPECT_NEAR(fore.inertia[1][1], 0.02 + 0.001 + 0.04 / 3, 1e-12);
 }
 
-TEST(Urdf, ReadsLimitsDynamicsMimicAndTransmission)
+TEST(Urdf, reads_limits_dynamics_mimic_and_transmission)
 {
     const RobotModel model = load_robot(kModels + "/arm.urdf");
     ASSERT_EQ(model.joints.size(), 4u) << report_of(model);
@@ -61,7 +61,7 @@ TEST(Urdf, ReadsLimitsDynamicsMimicAndTransmission)
     EXPECT_EQ(model.actuators[0].name, "elbow");
 }
 
-TEST(Urdf, ReportsWhatItLeavesOutWithItsLine)
+TEST(Urdf, reports_what_it_leaves_out_with_its_line)
 {
     const RobotModel model = load_robot(kModels + "/arm.urdf");
     EXPECT_NE(report_of(model).find("ignored 40: <plugin> in <gazebo>"), std::string::npos)
@@ -72,7 +72,7 @@ TEST(Urdf, ReportsWhatItLeavesOutWithItsLine)
     EXPECT_TRUE(load_robot(kModels + "/arm.urdf", strict).has_errors());
 }
 
-TEST(Urdf, ForwardKinematicsIsThatOfATwoLinkArm)
+TEST(Urdf, forward_kinematics_is_that_of_a_two_link_arm)
 {
     const RobotModel model = load_robot(kModels + "/arm.urdf");
     std::vector<double> q = reference_positions(model);
@@ -84,7 +84,7 @@ TEST(Urdf, ForwardKinematicsIsThatOfATwoLinkArm)
     EXPECT_NEAR(tip.z, 0.5 - 0.6 * std::sin(0.3) - 0.4 * std::sin(-0.4), 1e-12);
 }
 
-TEST(Urdf, ScalesMeshes)
+TEST(Urdf, scales_meshes)
 {
     const RobotModel model = load_robot(kModels + "/arm.urdf");
     ASSERT_EQ(model.meshes.size(), 1u) << report_of(model);
@@ -118,7 +118,7 @@ TEST(Mjcf, reads_the_time_of_a_step)
         EXPECT_TRUE(with(std::string("<option timestep='") + bad + "'/>").has_errors()) << bad;
 }
 
-TEST(Mjcf, ClassesHandDownAndElementsOverride)
+TEST(Mjcf, classes_hand_down_and_elements_override)
 {
     const RobotModel model = load_robot(kModels + "/walker.xml");
     ASSERT_FALSE(model.has_errors()) << report_of(model);
@@ -136,7 +136,7 @@ TEST(Mjcf, ClassesHandDownAndElementsOverride)
 }
 
 // A <joint type="free"> has its class's armature, a <freejoint> has none.
-TEST(Mjcf, FreeJointsHaveAnArmatureWhereTheirClassSaysSo)
+TEST(Mjcf, free_joints_have_an_armature_where_their_class_says_so)
 {
     const std::string head = "<mujoco><default><joint armature='0.1'/></default><worldbody><body>",
                       foot = "<geom size='0.1'/></body></worldbody></mujoco>";
@@ -147,7 +147,7 @@ TEST(Mjcf, FreeJointsHaveAnArmatureWhereTheirClassSaysSo)
     EXPECT_EQ(load_robot_text("x.xml", head + "<freejoint/>" + foot).joints[0].armature, 0);
 }
 
-TEST(Mjcf, FreeBodiesThatAreToBeAlignedAreReported)
+TEST(Mjcf, free_bodies_that_are_to_be_aligned_are_reported)
 {
     const auto lines = [](const std::string& compiler, const std::string& joint) {
         return load_robot_text("robot.xml",
@@ -162,7 +162,7 @@ TEST(Mjcf, FreeBodiesThatAreToBeAlignedAreReported)
     EXPECT_EQ(lines("alignfree='true'", "freejoint align='false'"), 0u);
 }
 
-TEST(Mjcf, MassesComeFromGeoms)
+TEST(Mjcf, masses_come_from_geoms)
 {
     const RobotModel model = load_robot(kModels + "/walker.xml");
     const Link& thigh = link_of(model, "thigh");
@@ -177,7 +177,7 @@ TEST(Mjcf, MassesComeFromGeoms)
     EXPECT_NEAR(link_of(model, "trunk").mass, 4, 1e-12);
 }
 
-TEST(Mjcf, ReadsActuatorsTendonsEqualitiesAndKeys)
+TEST(Mjcf, reads_actuators_tendons_equalities_and_keys)
 {
     const RobotModel model = load_robot(kModels + "/walker.xml");
     EXPECT_EQ(model.coordinates, 15);
@@ -198,7 +198,7 @@ TEST(Mjcf, ReadsActuatorsTendonsEqualitiesAndKeys)
 }
 
 // The joint's value at the pose of the file is its reference.
-TEST(Mjcf, ReferenceIsTheCoordinateOfThePoseInTheFile)
+TEST(Mjcf, reference_is_the_coordinate_of_the_pose_in_the_file)
 {
     const RobotModel model = load_robot(kModels + "/walker.xml");
     const std::vector<double> q = reference_positions(model);
@@ -211,7 +211,7 @@ TEST(Mjcf, ReferenceIsTheCoordinateOfThePoseInTheFile)
     EXPECT_NEAR(down.x, 1, 1e-12);
 }
 
-TEST(Geometry, TurnsAndMatricesAgree)
+TEST(Geometry, turns_and_matrices_agree)
 {
     const Quat q = turn_of_rpy({0.3, -0.5, 1.2});
     const Quat again = turn_of(matrix_of(q));
@@ -223,7 +223,7 @@ TEST(Geometry, TurnsAndMatricesAgree)
     EXPECT_LT(z.z, 0);
 }
 
-TEST(Geometry, PrincipalMomentsAreThoseBeforeTheTurn)
+TEST(Geometry, principal_moments_are_those_before_the_turn)
 {
     const Matrix turned = rotated({{{3, 0, 0}, {0, 1, 0}, {0, 0, 2}}}, turn_of_rpy({0.3, -0.5, 1.2}));
     const auto m = principal_moments(turned);

@@ -80,7 +80,7 @@ const std::string kUrdf = R"(<robot name="r"><link name="world"/>
 <joint name="push" type="prismatic"><parent link="tool"/><child link="slide"/><origin xyz="0 0.2 0" rpy="0.2 0.3 0.4"/>
 <axis xyz="1 0 0"/><limit lower="0" upper="1" effort="10" velocity="1"/></joint></robot>)";
 
-TEST(Sdf, LibsdformatsTranslationOfAUrdfIsTheSameRobot)
+TEST(Sdf, libsdformats_translation_of_a_urdf_is_the_same_robot)
 {
     const RobotModel urdf = load_robot_text("r.urdf", kUrdf);
     sdf::Console::Instance()->SetQuiet(true);
@@ -100,7 +100,7 @@ TEST(Sdf, LibsdformatsTranslationOfAUrdfIsTheSameRobot)
     EXPECT_EQ(turn.max_velocity, 3);
 }
 
-TEST(Sdf, AFileHasAllThatItsTextSays)
+TEST(Sdf, a_file_has_all_that_its_text_says)
 {
     const RobotModel model = load_robot(kModels + "/geared.sdf");
     ASSERT_FALSE(model.has_errors()) << report_of(model);
@@ -114,7 +114,7 @@ TEST(Sdf, AFileHasAllThatItsTextSays)
     EXPECT_NEAR(base.visuals[0].color[1], 0.2, 1e-6);
 }
 
-TEST(Sdf, PosesLimitsDrivesAndFrames)
+TEST(Sdf, poses_limits_drives_and_frames)
 {
     const RobotModel model =
         load(link("base", "0 0 1 0 0 0") + link("arm", "0.5 0 1 0 0 1.5707963267948966") +
@@ -144,7 +144,7 @@ TEST(Sdf, PosesLimitsDrivesAndFrames)
     EXPECT_NEAR(model.links[2].centre.z, 0.1, 1e-12);
 }
 
-TEST(Sdf, LoopsCloseAndGearboxesCouple)
+TEST(Sdf, loops_close_and_gearboxes_couple)
 {
     const std::string axis = "<axis><xyz>0 1 0</xyz></axis>", back = "<axis><xyz>0 -1 0</xyz></axis>";
     const RobotModel model =
@@ -163,7 +163,7 @@ TEST(Sdf, LoopsCloseAndGearboxesCouple)
     EXPECT_EQ(model.couplings[0].terms[1].factor, 3);
 }
 
-TEST(Sdf, AModelWithoutSelfCollisionTouchesOthersAlone)
+TEST(Sdf, a_model_without_self_collision_touches_others_alone)
 {
     const std::string ball =
         "<collision name='c'><geometry><sphere><radius>0.1</radius></sphere></geometry></collision>";
@@ -175,7 +175,7 @@ TEST(Sdf, AModelWithoutSelfCollisionTouchesOthersAlone)
     EXPECT_NE(other.category & other.collide, 0u);
 }
 
-TEST(Sdf, WhatIsWrongIsRefused)
+TEST(Sdf, what_is_wrong_is_refused)
 {
     EXPECT_NE(
         report_of(load("<include><uri>model://x</uri></include>")).find("error 2: <include> is not read"),

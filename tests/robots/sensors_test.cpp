@@ -82,7 +82,7 @@ void expect_vec(const dReal* v, double x, double y, double z, double tolerance)
 const char* kBox = R"(<mujoco><worldbody><body name="box" pos="0 0 1"><freejoint/>
     <geom type="box" size="0.1 0.1 0.1" mass="2"/></body></worldbody></mujoco>)";
 
-TEST_F(RobotSensors, AnAccelerometerAtRestReadsGravityUpwards)
+TEST_F(RobotSensors, an_accelerometer_at_rest_reads_gravity_upwards)
 {
     load(kBox);
     dCreatePlane(space, 0, 0, 1, dReal(0.9));
@@ -99,7 +99,7 @@ TEST_F(RobotSensors, AnAccelerometerAtRestReadsGravityUpwards)
     expect_vec(f, 0, 0, kG, kExact);
 }
 
-TEST_F(RobotSensors, AnAccelerometerInFreeFallReadsNothing)
+TEST_F(RobotSensors, an_accelerometer_in_free_fall_reads_nothing)
 {
     load(kBox);
     step(50);
@@ -108,7 +108,7 @@ TEST_F(RobotSensors, AnAccelerometerInFreeFallReadsNothing)
     expect_vec(f, 0, 0, 0, kExact);
 }
 
-TEST_F(RobotSensors, AnImuOnATurntableReadsCentripetalAcceleration)
+TEST_F(RobotSensors, an_imu_on_a_turntable_reads_centripetal_acceleration)
 {
     load(R"(<mujoco><worldbody><body name="table"><joint name="turn" axis="0 0 1"/>
         <geom type="cylinder" size="0.5 0.02" mass="3"/><site name="imu" pos="0.4 0 0.02"/></body></worldbody>
@@ -124,7 +124,7 @@ TEST_F(RobotSensors, AnImuOnATurntableReadsCentripetalAcceleration)
     EXPECT_NEAR(std::hypot(v[0], v[1]), 1.2, kExact);
 }
 
-TEST_F(RobotSensors, AForceSensorBearsWhatHangsOnIt)
+TEST_F(RobotSensors, a_force_sensor_bears_what_hangs_on_it)
 {
     load(
         R"(<robot name="arm"><link name="world"/><link name="rod"><inertial><origin xyz="0.3 0 -0.2"/><mass value="2"/>
@@ -145,7 +145,7 @@ TEST_F(RobotSensors, AForceSensorBearsWhatHangsOnIt)
 }
 
 // Two weights in a row: the upper joint bears both; the drive holds the lower one out.
-TEST_F(RobotSensors, NamedSensorsOfAChainReadItsWeights)
+TEST_F(RobotSensors, named_sensors_of_a_chain_read_its_weights)
 {
     load(
         R"(<mujoco><worldbody><body name="upper" pos="0 0 2"><joint name="swing" axis="0 1 0"/><site name="top"/>
@@ -169,7 +169,7 @@ TEST_F(RobotSensors, NamedSensorsOfAChainReadItsWeights)
 }
 
 // A cart that runs along x at 2 m/s carries an arm that turns about z at 3 rad/s; both and the tip are called alike.
-TEST_F(RobotSensors, FramesAreSeenFromOthers)
+TEST_F(RobotSensors, frames_are_seen_from_others)
 {
     load(
         R"(<mujoco><worldbody><body name="hand" pos="0 0 1"><joint type="slide" axis="1 0 0"/><inertial pos="0 0 0.1" mass="1" diaginertia="1 1 1"/>
@@ -202,7 +202,7 @@ TEST_F(RobotSensors, FramesAreSeenFromOthers)
 }
 
 // What an actuator exerts is before its gear, without springs and dampers; a joint's limit is for all of them together.
-TEST_F(RobotSensors, ActuatorsReadTheirOwnForce)
+TEST_F(RobotSensors, actuators_read_their_own_force)
 {
     load(
         R"(<mujoco><compiler autolimits="true"/><worldbody><body><joint name="a" type="slide" axis="1 0 0" stiffness="50" damping="3"/>
@@ -228,7 +228,7 @@ TEST_F(RobotSensors, ActuatorsReadTheirOwnForce)
 }
 
 // Two motors ask for 6.5 N of a joint that takes 5.
-TEST_F(RobotSensors, MotorsOfAJointAreLimitedTogether)
+TEST_F(RobotSensors, motors_of_a_joint_are_limited_together)
 {
     load(
         R"(<mujoco><compiler autolimits="true"/><worldbody><body><joint type="slide" axis="1 0 0" actuatorfrcrange="-5 5" name="b"/>
@@ -243,7 +243,7 @@ TEST_F(RobotSensors, MotorsOfAJointAreLimitedTogether)
     EXPECT_NEAR(v, 2.5 * kStep, kFine * kStep);
 }
 
-TEST_F(RobotSensors, TouchOfARestingBoxIsItsWeight)
+TEST_F(RobotSensors, touch_of_a_resting_box_is_its_weight)
 {
     load(R"(<mujoco><worldbody><body name="box" pos="0.5 0 0.1"><freejoint/><site name="skin"/>
         <geom type="box" size="0.1 0.1 0.1" mass="2"/></body><geom type="plane" size="1 1 1"/></worldbody>
@@ -261,7 +261,7 @@ TEST_F(RobotSensors, TouchOfARestingBoxIsItsWeight)
     expect_vec(touch.force, 0, 0, -2 * kG, 1e-3);
 }
 
-TEST_F(RobotSensors, ALidarInARoomMeasuresItsWalls)
+TEST_F(RobotSensors, a_lidar_in_a_room_measures_its_walls)
 {
     load(kBox);
     dCreatePlane(space, 1, 0, 0, -2), dCreatePlane(space, -1, 0, 0, -3), dCreatePlane(space, 0, 0, 1, 0);
@@ -288,7 +288,7 @@ TEST_F(RobotSensors, ALidarInARoomMeasuresItsWalls)
 }
 
 // A ball of 0.5 m, 4 m before the camera, covers a disc of tan = 0.5 / sqrt(16 - 0.25) around the middle.
-TEST_F(RobotSensors, ACameraSeesABallBeforeAWall)
+TEST_F(RobotSensors, a_camera_sees_a_ball_before_a_wall)
 {
     load(kBox);
     const dGeomID ball = dCreateSphere(space, dReal(0.5)), wall = dCreatePlane(space, -1, 0, 0, -6);
@@ -330,7 +330,7 @@ TEST_F(RobotSensors, ACameraSeesABallBeforeAWall)
     EXPECT_EQ(depth, again);
 }
 
-TEST_F(RobotSensors, SayWhatTheyRefuse)
+TEST_F(RobotSensors, say_what_they_refuse)
 {
     load(kBox);
     static int refused;

@@ -93,13 +93,13 @@ void expect_round_trip(RobotTest&, dRobotModelID model, dRobotID robot, const st
     for (size_t i = 0; i < q.size(); ++i) EXPECT_NEAR(back[i], q[i], kExact) << "coordinate " << i;
 }
 
-TEST_F(RobotTest, PositionsOfAnArmComeBack)
+TEST_F(RobotTest, positions_of_an_arm_come_back)
 {
     load("arm.urdf");
     expect_round_trip(*this, model, robot, {dReal(0.4), dReal(-1.1), dReal(0.02), dReal(-0.02)});
 }
 
-TEST_F(RobotTest, PositionsOfEveryKindOfJointComeBack)
+TEST_F(RobotTest, positions_of_every_kind_of_joint_come_back)
 {
     load("walker.xml");
     std::vector<dReal> q(size_t(dRobotModelGetNumPositions(model)));
@@ -110,7 +110,7 @@ TEST_F(RobotTest, PositionsOfEveryKindOfJointComeBack)
 
 // They come back, and a short step moves the coordinates by them.
 // Hinges without limits count turns, from where all bodies are set, the small ones between the joints of a link too.
-TEST_F(RobotTest, PositionsOfSeveralHingesOfALinkComeBackWithoutATurn)
+TEST_F(RobotTest, positions_of_several_hinges_of_a_link_come_back_without_a_turn)
 {
     load_text(
         "<mujoco><worldbody><body><joint axis='1 0 0'/><joint axis='0 1 0'/><joint axis='0 0 1'/><geom "
@@ -124,7 +124,7 @@ TEST_F(RobotTest, PositionsOfSeveralHingesOfALinkComeBackWithoutATurn)
     }
 }
 
-TEST_F(RobotTest, VelocitiesOfEveryKindOfJointComeBackAndMoveThem)
+TEST_F(RobotTest, velocities_of_every_kind_of_joint_come_back_and_move_them)
 {
     load("walker.xml");
     dWorldSetGravity(world, 0, 0, 0);
@@ -147,7 +147,7 @@ TEST_F(RobotTest, VelocitiesOfEveryKindOfJointComeBackAndMoveThem)
 }
 
 // alpha = m g l / (I + m l^2 + armature), from the horizontal.
-TEST_F(RobotTest, APendulumFallsAsItsFileSays)
+TEST_F(RobotTest, a_pendulum_falls_as_its_file_says)
 {
     load_text(R"(<mujoco><compiler angle="radian"/><worldbody><body>
         <joint name="hinge" axis="0 1 0" armature="0.3"/>
@@ -159,7 +159,7 @@ TEST_F(RobotTest, APendulumFallsAsItsFileSays)
                 kFine);
 }
 
-TEST_F(RobotTest, AMotorExertsGearTimesControlWithinItsRange)
+TEST_F(RobotTest, a_motor_exerts_gear_times_control_within_its_range)
 {
     load_text(R"(<mujoco><option gravity="0 0 0"/><worldbody><body><joint name="hinge" axis="0 0 1"/>
         <inertial pos="0 0 0" mass="1" diaginertia="2 2 2"/></body></worldbody>
@@ -169,7 +169,7 @@ TEST_F(RobotTest, AMotorExertsGearTimesControlWithinItsRange)
     EXPECT_NEAR(dJointGetAxisRate(dRobotGetJoint(robot, 0), 0), 10 * 0.5 / 2, kExact);
 }
 
-TEST_F(RobotTest, ATargetHoldsTheArmWithinItsEffort)
+TEST_F(RobotTest, a_target_holds_the_arm_within_its_effort)
 {
     load("arm.urdf");
     const int shoulder = dRobotModelFindJoint(model, "shoulder"),
@@ -182,7 +182,7 @@ TEST_F(RobotTest, ATargetHoldsTheArmWithinItsEffort)
     EXPECT_LE(std::fabs(dJointGetDriveForce(dRobotGetJoint(robot, shoulder), 0)), 100.0);
 }
 
-TEST_F(RobotTest, AMimicFollowsItsLeader)
+TEST_F(RobotTest, a_mimic_follows_its_leader)
 {
     load("arm.urdf");
     ASSERT_EQ(dRobotSetTarget(robot, dRobotModelFindJoint(model, "left_slide"), dReal(0.03), 500, 20), 1);
@@ -195,7 +195,7 @@ TEST_F(RobotTest, AMimicFollowsItsLeader)
     EXPECT_LE(worst, kFine);
 }
 
-TEST_F(RobotTest, ALoopStaysClosedWhileItTurns)
+TEST_F(RobotTest, a_loop_stays_closed_while_it_turns)
 {
     load("fourbar.xml");
     ASSERT_EQ(dRobotSetControl(robot, 0, 2), 1);
@@ -208,7 +208,7 @@ TEST_F(RobotTest, ALoopStaysClosedWhileItTurns)
     EXPECT_GT(std::fabs(position_of("crank")), 0.5);
 }
 
-TEST_F(RobotTest, AHingeStopsAtALimitBeyondHalfATurn)
+TEST_F(RobotTest, a_hinge_stops_at_a_limit_beyond_half_a_turn)
 {
     load_text(R"(<mujoco><compiler angle="radian"/><option gravity="0 0 0"/><worldbody><body>
         <joint name="hinge" axis="0 0 1" range="-5 5"/><inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/></body></worldbody>
@@ -223,7 +223,7 @@ TEST_F(RobotTest, AHingeStopsAtALimitBeyondHalfATurn)
 }
 
 // Such limits are stops of the hinge: a program reads them, and takes them off.
-TEST_F(RobotTest, LimitsBeyondHalfATurnAreStopsOfTheHinge)
+TEST_F(RobotTest, limits_beyond_half_a_turn_are_stops_of_the_hinge)
 {
     load_text(R"(<mujoco><compiler angle="radian"/><worldbody><body pos="0 0 1">
         <joint name="hinge" axis="0 1 0" range="-0.0175 3.7525"/><geom type="capsule" size=".02" fromto="0 0 0 -.5 0 0" mass="1"/>
@@ -245,7 +245,7 @@ TEST_F(RobotTest, LimitsBeyondHalfATurnAreStopsOfTheHinge)
     EXPECT_LT(positions()[0], dReal(-1)) << "falls";
 }
 
-TEST_F(RobotTest, PositionsOfAWideRangeComeBack)
+TEST_F(RobotTest, positions_of_a_wide_range_come_back)
 {
     load_text(R"(<mujoco><compiler angle="radian"/><worldbody><body>
         <joint name="hinge" axis="0 0 1" range="-6.28 6.28"/><geom size=".1"/></body></worldbody></mujoco>)");
@@ -256,7 +256,7 @@ TEST_F(RobotTest, PositionsOfAWideRangeComeBack)
     }
 }
 
-TEST_F(RobotTest, ExcludedAndOverlappingLinksDoNotTouch)
+TEST_F(RobotTest, excluded_and_overlapping_links_do_not_touch)
 {
     load("walker.xml");
     const dBodyID trunk = dRobotGetBody(robot, dRobotModelFindLink(model, "trunk"));
@@ -266,7 +266,7 @@ TEST_F(RobotTest, ExcludedAndOverlappingLinksDoNotTouch)
     EXPECT_FALSE(dAreConnected(trunk, ball));
 }
 
-TEST_F(RobotTest, AWalkerRestsOnItsFloor)
+TEST_F(RobotTest, a_walker_rests_on_its_floor)
 {
     load("walker.xml");
     dWorldSetContactSpace(world, space);
@@ -275,7 +275,7 @@ TEST_F(RobotTest, AWalkerRestsOnItsFloor)
     EXPECT_NEAR(ball[2], -0.9, 0.002);
 }
 
-TEST_F(RobotTest, AThousandRobotsComeFromOneModel)
+TEST_F(RobotTest, a_thousand_robots_come_from_one_model)
 {
     load("arm.urdf");
     const dBodyID first = dRobotGetBody(robot, 2);
@@ -293,7 +293,7 @@ TEST_F(RobotTest, AThousandRobotsComeFromOneModel)
 int messages = 0;
 void count_message(int, const char*, va_list) { ++messages; }
 
-TEST_F(RobotTest, WrongArgumentsAreRefusedWithOneMessageEach)
+TEST_F(RobotTest, wrong_arguments_are_refused_with_one_message_each)
 {
     load("arm.urdf");
     dSetMessageHandler(&count_message);
@@ -329,7 +329,7 @@ TEST_F(RobotTest, WrongArgumentsAreRefusedWithOneMessageEach)
     dSetMessageHandler(nullptr);
 }
 
-TEST_F(RobotTest, AModelWithErrorsIsNotBuilt)
+TEST_F(RobotTest, a_model_with_errors_is_not_built)
 {
     dSetMessageHandler(&count_message);
     const std::string text = "<robot name='x'><link name='a'/><link name='a'/></robot>";

@@ -42,7 +42,7 @@ void expect_round_trip(const std::string& name, const LoadOptions& options)
     EXPECT_EQ(joined(differences(model, again)), "") << name << "\n" << written.text;
 }
 
-TEST(Write, OwnFormatGivesTheSameModel)
+TEST(Write, own_format_gives_the_same_model)
 {
     LoadOptions whole;
     whole.keep_fixed = true;
@@ -52,7 +52,7 @@ TEST(Write, OwnFormatGivesTheSameModel)
     }
 }
 // What <gazebo> elements say: robots/read/gazebo.cpp.
-TEST(Write, AUrdfKeepsWhatGazeboAddsToIt)
+TEST(Write, a_urdf_keeps_what_gazebo_adds_to_it)
 {
     const char* const text = R"(<robot name="rover">
       <link name="base"><inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
@@ -85,7 +85,7 @@ TEST(Write, AUrdfKeepsWhatGazeboAddsToIt)
 }
 
 // What MJCF has no words for stands in its <custom>.
-TEST(Write, MjcfKeepsWhatAUrdfMeansByItsContactsSpeedsAndForces)
+TEST(Write, mjcf_keeps_what_a_urdf_means_by_its_contacts_speeds_and_forces)
 {
     const char* const text = R"(<robot name="rover">
       <link name="base"><inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
@@ -105,7 +105,7 @@ TEST(Write, MjcfKeepsWhatAUrdfMeansByItsContactsSpeedsAndForces)
     for (const Sensor& sensor : again.sensors) EXPECT_FALSE(sensor.is_on_child) << sensor.name;
 }
 
-TEST(Write, SensorsOfSubtreesAreOnBodies)
+TEST(Write, sensors_of_subtrees_are_on_bodies)
 {
     const char* const text =
         "<mujoco><worldbody><body name='a'><joint/><geom size='1'/></body></worldbody><sensor>"
@@ -118,7 +118,7 @@ TEST(Write, SensorsOfSubtreesAreOnBodies)
 }
 
 #ifdef EPODE_HAVE_SDF
-TEST(Write, AnSdfIsTheSameInMjcf) { expect_round_trip("geared.sdf", {}); }
+TEST(Write, an_sdf_is_the_same_in_mjcf) { expect_round_trip("geared.sdf", {}); }
 #endif
 
 // A joint of one model, by its name in the other; coordinates there count from the reference.
@@ -157,7 +157,7 @@ std::vector<double> some_positions(const RobotModel& model)
     return q;
 }
 
-TEST(Write, AnArmIsTheSameInMjcf)
+TEST(Write, an_arm_is_the_same_in_mjcf)
 {
     const RobotModel model = load_robot(kModels + "/arm.urdf");
     const WrittenRobot written = write_mjcf(model, kModels);
@@ -171,7 +171,7 @@ TEST(Write, AnArmIsTheSameInMjcf)
 }
 
 // Anchors outside of the link's origin, references, two joints on a link, a ball: urdf.cpp's head says what becomes of them.
-TEST(Write, AWalkerMovesTheSameInUrdf)
+TEST(Write, a_walker_moves_the_same_in_urdf)
 {
     const RobotModel model = load_robot(kModels + "/walker.xml");
     const WrittenRobot written = write_urdf(model, kModels);
@@ -182,7 +182,7 @@ TEST(Write, AWalkerMovesTheSameInUrdf)
     EXPECT_NE(joined(written.lost).find("pairs that do not touch"), std::string::npos);
 }
 
-TEST(Write, UprightAxesKeepTheirRotation)
+TEST(Write, upright_axes_keep_their_rotation)
 {
     RobotModel model = load_robot(kModels + "/arm.urdf");
     for (double pitch : {1.5707963267948966, -1.5707963267948966, 1.5707963})
@@ -193,7 +193,7 @@ TEST(Write, UprightAxesKeepTheirRotation)
         }
 }
 
-TEST(Write, FilesAreSavedByTheirEnding)
+TEST(Write, files_are_saved_by_their_ending)
 {
     const RobotModel model = load_robot(kModels + "/fourbar.xml");
     const std::string path = testing::TempDir() + "/epode_saved.xml";

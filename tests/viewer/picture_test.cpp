@@ -106,7 +106,7 @@ class PictureTest : public testing::Test {
         if (IsSkipped() || HasFatalFailure()) return; \
     } while (false)
 
-TEST_F(PictureTest, BoxIsRedWhereItProjects)
+TEST_F(PictureTest, box_is_red_where_it_projects)
 {
     DRAW(box_scene());
     EXPECT_TRUE(is_red(at(0, 0, 1)));
@@ -116,7 +116,7 @@ TEST_F(PictureTest, BoxIsRedWhereItProjects)
     EXPECT_FALSE(is_red(at(0, 0, 1.6f)));
 }
 
-TEST_F(PictureTest, ShiftedLensMovesEverythingAlike)
+TEST_F(PictureTest, shifted_lens_moves_everything_alike)
 {
     Picture picture = box_scene();
     DRAW(picture);
@@ -137,7 +137,7 @@ TEST_F(PictureTest, ShiftedLensMovesEverythingAlike)
     EXPECT_LT(different, seen / 100) << "sky, ground, shadow and box are moved by the same pixels";
 }
 
-TEST_F(PictureTest, SkyDiffersFromGround)
+TEST_F(PictureTest, sky_differs_from_ground)
 {
     Picture picture = empty_scene();
     picture.camera.target[2] = 3;
@@ -147,7 +147,7 @@ TEST_F(PictureTest, SkyDiffersFromGround)
     EXPECT_GT(std::abs(sky.sum() - ground.sum()) + std::abs(sky.b - ground.b), 30);
 }
 
-TEST_F(PictureTest, ShadowIsDarkerThanLitGround)
+TEST_F(PictureTest, shadow_is_darker_than_lit_ground)
 {
     Picture picture = box_scene();
     picture.sun[0] = -0.6f;
@@ -165,7 +165,7 @@ TEST_F(PictureTest, ShadowIsDarkerThanLitGround)
         << "with the sun turned round the same point is lit";
 }
 
-TEST_F(PictureTest, TwoRendersAreIdentical)
+TEST_F(PictureTest, two_renders_are_identical)
 {
     Picture picture = box_scene();
     for (int i = 0; i < 60; ++i) {
@@ -184,7 +184,7 @@ TEST_F(PictureTest, TwoRendersAreIdentical)
 // Seen from above, each kind reaches as far as its size says, along the axes its rotation says. Local z is
 // turned to world x, local x to world y, local y to world z: a transposed rotation would point the long axis
 // to y.
-TEST_F(PictureTest, EveryKindHasItsSizeAndDirection)
+TEST_F(PictureTest, every_kind_has_its_size_and_direction)
 {
     constexpr float kTurn[12] = {0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0};
     struct Case {
@@ -214,7 +214,7 @@ TEST_F(PictureTest, EveryKindHasItsSizeAndDirection)
     }
 }
 
-TEST_F(PictureTest, LinesAreDrawnAndFaintBehindShapes)
+TEST_F(PictureTest, lines_are_drawn_and_faint_behind_shapes)
 {
     Picture picture = box_scene();
     const Color blue{0.05f, 0.10f, 0.90f};
@@ -226,7 +226,7 @@ TEST_F(PictureTest, LinesAreDrawnAndFaintBehindShapes)
     EXPECT_GT(hidden.b, face.b + 10) << "yet the line is guessed";
 }
 
-TEST_F(PictureTest, WhatCannotBeDrawnIsLeftOut)
+TEST_F(PictureTest, what_cannot_be_drawn_is_left_out)
 {
     DRAW(box_scene());
     const Image clean = image_;
@@ -243,7 +243,7 @@ TEST_F(PictureTest, WhatCannotBeDrawnIsLeftOut)
     EXPECT_TRUE(clean.rgb == image_.rgb);
 }
 
-TEST_F(PictureTest, EmptySceneAndOddSizesAreDrawn)
+TEST_F(PictureTest, empty_scene_and_odd_sizes_are_drawn)
 {
     Picture picture = empty_scene();
     picture.width = 3;
@@ -255,7 +255,7 @@ TEST_F(PictureTest, EmptySceneAndOddSizesAreDrawn)
     DRAW(picture);
 }
 
-TEST(PictureErrors, AreSaidInWords)
+TEST(PictureErrors, are_said_in_words)
 {
     const Picture good = box_scene();
     std::string error;
@@ -273,7 +273,7 @@ TEST(PictureErrors, AreSaidInWords)
     EXPECT_NE(error.find("camera"), std::string::npos);
 }
 
-TEST_F(PictureTest, UnwritablePathIsNamed)
+TEST_F(PictureTest, unwritable_path_is_named)
 {
     DRAW(box_scene());
     std::string error;
@@ -281,7 +281,7 @@ TEST_F(PictureTest, UnwritablePathIsNamed)
     EXPECT_NE(error.find("/no/such/folder/a.png"), std::string::npos);
 }
 
-TEST(Framing, HoldsEveryShapeAndWastesLittle)
+TEST(Framing, holds_every_shape_and_wastes_little)
 {
     std::vector<Shape> shapes;
     for (int i = 0; i < 40; ++i) {
@@ -308,7 +308,7 @@ TEST(Framing, HoldsEveryShapeAndWastesLittle)
     EXPECT_GT(std::max((high[0] - low[0]) / 1600, (high[1] - low[1]) / 900), 0.7f);
 }
 
-TEST(Framing, OfNothingIsAUsableCamera)
+TEST(Framing, of_nothing_is_a_usable_camera)
 {
     const Camera camera = frame_shapes({}, 1.5f);
     float pixel[2];
@@ -317,7 +317,7 @@ TEST(Framing, OfNothingIsAUsableCamera)
     EXPECT_NEAR(pixel[1], 100, 0.01);
 }
 
-TEST(Palette, RepeatsAndTakesAnyIndex)
+TEST(Palette, repeats_and_takes_any_index)
 {
     for (int i = -20; i < 20; ++i) {
         const Color a = palette(i), b = palette(i + 8), next = palette(i + 1);

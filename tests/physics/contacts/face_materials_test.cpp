@@ -195,7 +195,7 @@ TEST_P(FaceMaterials, a_file_keeps_them_and_goes_on_with_the_same_bits)
 
 INSTANTIATE_TEST_SUITE_P(Steppers, FaceMaterials, testing::ValuesIn(kSteppers), case_name);
 
-TEST(face_materials, refuses_what_is_no_surface_no_number_and_no_count_and_changes_nothing)
+TEST(FaceMaterialCalls, refuses_what_is_no_surface_no_number_and_no_count_and_changes_nothing)
 {
     dInitODE();
     const MeshFloor floor;

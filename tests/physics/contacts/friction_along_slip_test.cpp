@@ -79,7 +79,7 @@ constexpr double kAzimuths[] = {0, 0.3, 0.7, 0.785398, 1.2, 2.5, -1.9};
 
 class FrictionAlongSlip : public testing::TestWithParam<SlipStepper> {};
 
-TEST_P(FrictionAlongSlip, BrakesByMuGStraightOn)
+TEST_P(FrictionAlongSlip, brakes_by_mu_g_straight_on)
 {
     const double v = 3, way = v * v / (2 * kMu * kG);
     for (const double a : kAzimuths) {
@@ -94,7 +94,7 @@ TEST_P(FrictionAlongSlip, BrakesByMuGStraightOn)
     }
 }
 
-TEST_P(FrictionAlongSlip, GivesWayToMuN)
+TEST_P(FrictionAlongSlip, gives_way_to_mu_n)
 {
     for (const double a : kAzimuths)
         for (const double share : {0.98, 1.02}) {
@@ -132,7 +132,7 @@ struct Spinner {
     }
 };
 
-TEST_P(FrictionAlongSlip, BrakesEachCornerOfWhatSpins)
+TEST_P(FrictionAlongSlip, brakes_each_corner_of_what_spins)
 {
     Slab slab(GetParam());
     for (int i = 0; i < 20; ++i) slab.step(kFine);

@@ -160,7 +160,7 @@ void slippery_places(void*, dManifold* manifold)
     manifold->accept = std::fabs(manifold->normal[2]) > dReal(0.2);
 }
 
-TEST(manifold_function, gives_the_same_bits_on_any_number_of_threads)
+TEST(ManifoldFunction, gives_the_same_bits_on_any_number_of_threads)
 {
     std::vector<unsigned char> first;
     for (const int threads : {1, 2, 3})

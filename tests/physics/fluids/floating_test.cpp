@@ -100,7 +100,7 @@ double period(const std::function<double()>& value, const std::function<void()>&
     return (last - first) / turns;
 }
 
-TEST(floating, box_heaves_with_the_period_of_its_waterplane)
+TEST(Floating, box_heaves_with_the_period_of_its_waterplane)
 {
     for (const double h : {1.0 / 240, 1.0 / 60, 1.0 / 30}) {
         Pool pool;
@@ -112,7 +112,7 @@ TEST(floating, box_heaves_with_the_period_of_its_waterplane)
     }
 }
 
-TEST(floating, box_rolls_with_the_period_of_its_metacentric_height)
+TEST(Floating, box_rolls_with_the_period_of_its_metacentric_height)
 {
     for (const double h : {1.0 / 240, 1.0 / 60, 1.0 / 30}) {
         Pool pool;
@@ -207,7 +207,7 @@ bool comes_upright(const Ship& ship, double heel)
     return dBodyGetRotation(body)[10] > real(0.9);
 }
 
-TEST(floating, ship_capsizes_beyond_its_angle_of_vanishing_stability)
+TEST(Floating, ship_capsizes_beyond_its_angle_of_vanishing_stability)
 {
     for (const double KG : {0.5, 0.65}) {
         const Ship ship{hull_section(KG), 1.0};
@@ -223,7 +223,7 @@ TEST(floating, ship_capsizes_beyond_its_angle_of_vanishing_stability)
 // ---- drag ----
 
 // rho/2 C pi r^2 v^2 = (m - rho V) g, whatever the step: also in one that is longer than the fall takes to settle.
-TEST(floating, ball_sinks_at_its_terminal_velocity)
+TEST(Floating, ball_sinks_at_its_terminal_velocity)
 {
     for (const double h : {1.0 / 240, 1.0 / 60, 0.5}) {
         Pool pool;
@@ -236,7 +236,7 @@ TEST(floating, ball_sinks_at_its_terminal_velocity)
     }
 }
 
-TEST(floating, body_drifts_with_the_current)
+TEST(Floating, body_drifts_with_the_current)
 {
     Pool pool;
     dFluidSettings s;
@@ -251,7 +251,7 @@ TEST(floating, body_drifts_with_the_current)
 }
 
 // However strong the drag and long the step.
-TEST(floating, drag_never_reverses_a_velocity)
+TEST(Floating, drag_never_reverses_a_velocity)
 {
     for (const double drag : {1.0, 1e3, 1e9})
         for (const double h : {0.001, 0.1, 10.0}) {
@@ -274,7 +274,7 @@ TEST(floating, drag_never_reverses_a_velocity)
 
 // Solids of random shape dropped into water from random poses: their energy with the potentials of weight and water, rho g times the
 // depth of what is displaced, is highest at the beginning; it is taken between two steps, where semi-implicit Euler keeps it.
-TEST(floating, still_water_gives_no_energy)
+TEST(Floating, still_water_gives_no_energy)
 {
     Random random(3);
     for (int trial = 0; trial < 40; ++trial) {
@@ -318,7 +318,7 @@ TEST(floating, still_water_gives_no_energy)
 }
 
 // Foam a millimetre deep in the water: its own frequency is far above what a step can follow.
-TEST(floating, light_plate_stays_quiet)
+TEST(Floating, light_plate_stays_quiet)
 {
     Pool pool;
     pool.drag(1, 50, 1);
@@ -361,7 +361,7 @@ INSTANTIATE_TEST_SUITE_P(, AsleepInWater, testing::Values(int(dDefaultsOde), int
                          [](const auto& one) { return one.param == dDefaultsOde ? "ode" : "game"; });
 
 // The weight of a body in water is what the bottom bears.
-TEST(floating, sunken_box_rests_on_the_bottom_and_floats_up_in_brine)
+TEST(Floating, sunken_box_rests_on_the_bottom_and_floats_up_in_brine)
 {
     Pool pool;
     dWorldSetContactSpace(pool.world, pool.space);
@@ -384,7 +384,7 @@ TEST(floating, sunken_box_rests_on_the_bottom_and_floats_up_in_brine)
 }
 
 // A pool that reaches from x = 0 to 4: what lies in it floats, what lies outside falls.
-TEST(floating, volume_restricts_the_fluid)
+TEST(Floating, volume_restricts_the_fluid)
 {
     Pool pool;
     const dGeomID volume = dCreateBox(nullptr, 4, 4, 4);
@@ -409,7 +409,7 @@ dReal standing_wave(void* data, const dVector3 place, dReal time)
 }
 
 // The mean of a sine over a long box: Gauss' four places are wrong by (k e)^4 / 270 of the wave's height.
-TEST(floating, surface_function_lifts_by_its_mean_over_the_geom)
+TEST(Floating, surface_function_lifts_by_its_mean_over_the_geom)
 {
     Pool pool;
     dReal amplitude = real(0.1);
@@ -429,7 +429,7 @@ void whirl(void*, const dVector3 place, dReal, dVector3 velocity)
     velocity[0] = -place[1], velocity[1] = place[0];
 }
 
-TEST(floating, current_function_carries_bodies_around)
+TEST(Floating, current_function_carries_bodies_around)
 {
     Pool pool;
     pool.drag(0, 1e5, 0);

@@ -31,7 +31,7 @@ void turn(dGeomID geom, double x, double y, double z, double angle)
     dGeomSetQuaternion(geom, q);
 }
 
-TEST(submerged, ball_is_a_spherical_cap)
+TEST(Submerged, ball_is_a_spherical_cap)
 {
     Pool pool;
     const dGeomID ball = dCreateSphere(pool.space, real(0.7));
@@ -46,7 +46,7 @@ TEST(submerged, ball_is_a_spherical_cap)
     }
 }
 
-TEST(submerged, lying_cylinder_is_a_segment_and_standing_one_a_disc)
+TEST(Submerged, lying_cylinder_is_a_segment_and_standing_one_a_disc)
 {
     Pool pool;
     const dGeomID cylinder = dCreateCylinder(pool.space, 1, 3);
@@ -66,7 +66,7 @@ TEST(submerged, lying_cylinder_is_a_segment_and_standing_one_a_disc)
 
 // Through the middle of a cylinder, at any slant that leaves the ends alone, a plane has half of it below; the wedges that
 // differ from the level half move the centre by r^2 tan / (4 L).
-TEST(submerged, slanted_cylinder_has_the_moments_of_its_wedges)
+TEST(Submerged, slanted_cylinder_has_the_moments_of_its_wedges)
 {
     Pool pool;
     const dGeomID cylinder = dCreateCylinder(pool.space, 1, 4);
@@ -81,7 +81,7 @@ TEST(submerged, slanted_cylinder_has_the_moments_of_its_wedges)
 }
 
 // The rest of a cone above a plane across its axis is a cone.
-TEST(submerged, cone_leaves_a_cone)
+TEST(Submerged, cone_leaves_a_cone)
 {
     Pool pool;
     const dGeomID cone = dCreateCone(pool.space, 1, 2);
@@ -94,7 +94,7 @@ TEST(submerged, cone_leaves_a_cone)
 }
 
 // A tapered capsule whose one end holds the other is a ball, by slices: near its poles Gauss' rule has its worst places.
-TEST(submerged, ball_in_slices_is_a_ball_of_caps)
+TEST(Submerged, ball_in_slices_is_a_ball_of_caps)
 {
     Pool pool;
     const dGeomID slices = dCreateTaperedCapsule(pool.space, 1, real(0.3), real(0.5)),
@@ -129,7 +129,7 @@ std::vector<std::function<dGeomID(dSpaceID)>> solids()
 }
 
 // Below a plane and below the same plane turned over together are the whole, with its centre.
-TEST(submerged, both_sides_of_any_plane_make_the_whole)
+TEST(Submerged, both_sides_of_any_plane_make_the_whole)
 {
     Pool pool;
     std::mt19937 engine(7);
@@ -159,7 +159,7 @@ TEST(submerged, both_sides_of_any_plane_make_the_whole)
 }
 
 // Points of a ball of the solid's size, those that a ray query finds within and the plane below it: 1 / sqrt(n) of scatter.
-TEST(submerged, hull_agrees_with_its_mesh_and_with_counted_points)
+TEST(Submerged, hull_agrees_with_its_mesh_and_with_counted_points)
 {
     Pool pool;
     std::mt19937 engine(11);
@@ -202,7 +202,7 @@ TEST(submerged, hull_agrees_with_its_mesh_and_with_counted_points)
 }
 
 // A closed mesh of a box, wherever its frame is, and a body of two boxes that make the same one.
-TEST(submerged, mesh_and_compound_are_the_box_that_they_make)
+TEST(Submerged, mesh_and_compound_are_the_box_that_they_make)
 {
     Pool pool;
     std::vector<double> v;

@@ -90,7 +90,7 @@ TEST_P(Couplings, gears_turn_without_end)
 
 // Wheel 0 and 1 and the carrier 2 of a differential: q_0 + q_1 = 2 q_2. A torque on the carrier, one wheel
 // held: the other turns twice as fast.
-TEST_P(Couplings, differential)
+TEST_P(Couplings, make_a_differential)
 {
     Rotors r({1, 1, 2});
     r.couple({1, 1, -2});
@@ -269,7 +269,7 @@ TEST(Coupling, wakes_and_sleeps_as_one_island)
     EXPECT_GT(r.rate(1), 1e-3);
 }
 
-TEST(Coupling, breaks)
+TEST(Coupling, breaks_at_its_limit)
 {
     Rotors r({1, 1});
     r.couple({1, -1});

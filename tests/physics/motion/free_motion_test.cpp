@@ -153,7 +153,7 @@ double precession_after_a_second(Stepper stepper, double h, double i1, double i3
     return angle;
 }
 
-TEST_P(FreeFlight, a_symmetric_top_circles_its_angular_momentum_at_L_over_I1)
+TEST_P(FreeFlight, a_symmetric_top_circles_its_angular_momentum_at_l_over_i1)
 {
     const double i1 = 1, i3 = 2;
     const V3 w{0.5, 0, 1.5};

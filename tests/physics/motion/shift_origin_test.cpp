@@ -104,7 +104,7 @@ TEST_P(LargeWorld, any_shift_changes_nothing_but_rounding)
 
 INSTANTIATE_TEST_SUITE_P(Steppers, LargeWorld, testing::ValuesIn(kSteppers), case_name);
 
-TEST(shift_origin, moves_anchors_planes_fluids_and_contacts)
+TEST(ShiftOrigin, moves_anchors_planes_fluids_and_contacts)
 {
     Playground sim(Stepper::kExact, {});
     sim.run(10);
@@ -122,7 +122,7 @@ TEST(shift_origin, moves_anchors_planes_fluids_and_contacts)
     EXPECT_NEAR(length(vec(after.pos) - vec(before.pos) + V3{100, 200, 50}), 0, tol(1e-12, 1e-4));
 }
 
-TEST(shift_origin, is_refused_where_it_would_break_something)
+TEST(ShiftOrigin, is_refused_where_it_would_break_something)
 {
     Playground sim(Stepper::kExact, {});
     const V3 was = position(sim.bodies[0]);

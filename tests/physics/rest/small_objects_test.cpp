@@ -60,7 +60,7 @@ class Tower : public Sim {
 
 class SmallTower : public testing::TestWithParam<std::tuple<double, Way>> {};
 
-TEST_P(SmallTower, stands)
+TEST_P(SmallTower, stands_still)
 {
     const auto [edge, way] = GetParam();
     Tower tower(edge);
@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, SmallTower,
                          tower_name);
 
 // With steps and substeps for the size of the boxes.
-TEST(TowerInSubsteps, stands)
+TEST(TowerInSubsteps, stands_still)
 {
     struct {
         double edge, h;

@@ -219,7 +219,7 @@ std::string wake_name(const testing::TestParamInfo<WakeCase>& info)
 
 class Wake : public testing::TestWithParam<WakeCase> {};
 
-TEST_P(Wake, WhatRestsOnWhatIsDisturbed)
+TEST_P(Wake, what_rests_on_what_is_disturbed)
 {
     const WakeCase& c = GetParam();
     Table s(c.support, c.others);
@@ -299,7 +299,7 @@ const struct {
      }},
 };
 
-TEST(WakeNot, WhatNothingHappensTo)
+TEST(WakeNot, what_nothing_happens_to)
 {
     for (const WakeStepper stepper :
          {WakeStepper::kExact, WakeStepper::kQuick, WakeStepper::kSmall, WakeStepper::kHybrid})
@@ -316,7 +316,7 @@ TEST(WakeNot, WhatNothingHappensTo)
 }
 
 // A body that the program has moved stays as it is, but not what lay on it.
-TEST(WakeNot, WhatTheProgramMoves)
+TEST(WakeNot, what_the_program_moves)
 {
     for (const Others others : {Others::kAsleep, Others::kAwake})
         for (const bool in_bulk : {false, true}) {
@@ -336,7 +336,7 @@ TEST(WakeNot, WhatTheProgramMoves)
 }
 
 // What never falls asleep by itself was disabled by the program.
-TEST(WakeNot, WhatTheProgramHasDisabled)
+TEST(WakeNot, what_the_program_has_disabled)
 {
     Table s;
     for (const dBodyID body : {s.lower, s.upper, s.far, s.hanging}) dBodySetAutoDisableFlag(body, 0);
@@ -350,7 +350,7 @@ TEST(WakeNot, WhatTheProgramHasDisabled)
 }
 
 // Asked to sleep after the disturbance, it sleeps; asked before, it had fallen asleep.
-TEST(WakeNot, WhatTheProgramDisablesAfterwards)
+TEST(WakeNot, what_the_program_disables_afterwards)
 {
     for (const Others others : {Others::kAsleep, Others::kAwake}) {
         Table s(Support::kStatic, others);
@@ -365,7 +365,7 @@ TEST(WakeNot, WhatTheProgramDisablesAfterwards)
     }
 }
 
-TEST(WakeJoints, ThatGoOrStopActing)
+TEST(WakeJoints, that_go_or_stop_acting)
 {
     void (*const kActs[])(Table&) = {
         [](Table& s) { dJointDestroy(s.hinge); },
@@ -385,7 +385,7 @@ TEST(WakeJoints, ThatGoOrStopActing)
 }
 
 // A motor that is given another speed, as a drive that is given another target; not one that keeps its own.
-TEST(WakeJoints, WhoseMotorsChange)
+TEST(WakeJoints, whose_motors_change)
 {
     for (const WakeStepper stepper :
          {WakeStepper::kExact, WakeStepper::kQuick, WakeStepper::kSmall, WakeStepper::kHybrid}) {
@@ -406,7 +406,7 @@ TEST(WakeJoints, WhoseMotorsChange)
 // A lift that goes up and down, sideways too, and waits until all on it sleep: nobody stays behind. (What an
 // island had reached in its sleep fell asleep again in the air, for it had moved a few millimetres only: 10 of
 // 18 boxes, on the fourth way down.)
-TEST(WakeLift, TakesAllAlong)
+TEST(WakeLift, takes_all_along)
 {
     for (const WakeStepper stepper :
          {WakeStepper::kExact, WakeStepper::kQuick, WakeStepper::kSmall, WakeStepper::kHybrid}) {
@@ -442,7 +442,7 @@ TEST(WakeLift, TakesAllAlong)
 }
 
 // More is disturbed than a space remembers one by one.
-TEST(WakeMany, Supports)
+TEST(WakeMany, wakes_what_many_supports_carry)
 {
     constexpr int kCount = 700;
     const dWorldID world = dWorldCreate();
@@ -469,7 +469,7 @@ TEST(WakeMany, Supports)
 }
 
 // In a space of its own inside the world's: the whole space goes, or its members' rules.
-TEST(WakeNested, SupportsInASpaceOfTheirOwn)
+TEST(WakeNested, supports_in_a_space_of_their_own)
 {
     void (*const kActs[])(dSpaceID, dSpaceID, dGeomID) = {
         [](dSpaceID, dSpaceID, dGeomID table) { dGeomDestroy(table); },
@@ -493,7 +493,7 @@ TEST(WakeNested, SupportsInASpaceOfTheirOwn)
 }
 
 // A state taken between the disturbance and the step knows of it, even of what is gone.
-TEST(WakeStates, OfWhatHasJustBeenDisturbed)
+TEST(WakeStates, of_what_has_just_been_disturbed)
 {
     for (const auto& act : kOfSupport)
         for (const WakeStepper stepper : {WakeStepper::kExact, WakeStepper::kQuick}) {
@@ -514,7 +514,7 @@ TEST(WakeStates, OfWhatHasJustBeenDisturbed)
 }
 
 // Where the program makes the contacts it wakes what it wants awake.
-TEST(WakeNot, InWorldsWithoutAContactSpace)
+TEST(WakeNot, in_worlds_without_a_contact_space)
 {
     Table s(Support::kKinematic);
     s.put_to_sleep(WakeStepper::kQuick);
@@ -529,7 +529,7 @@ TEST(WakeNot, InWorldsWithoutAContactSpace)
 }
 
 // With ODE's behaviour a body hangs where it fell asleep.
-TEST(WakeNot, InWorldsThatActAsOde)
+TEST(WakeNot, in_worlds_that_act_as_ode)
 {
     Table s;
     dWorldSetBehaviour(s.world, dBehaviour016);

@@ -113,7 +113,7 @@ void* step_on_small_stack(void* p)
     return nullptr;
 }
 
-TEST(TrustMemory, a_thousand_boxes_are_stepped_on_a_stack_of_128_KiB)
+TEST(TrustMemory, a_thousand_boxes_are_stepped_on_a_stack_of_128_ki_b)
 {
 #if defined(PHYSICS_SANITIZED)
     const std::size_t stack = 1024 * 1024;

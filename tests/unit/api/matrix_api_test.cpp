@@ -13,7 +13,7 @@
 
 namespace {
 
-TEST(MatrixApi, vectors)
+TEST(MatrixApi, makes_vectors)
 {
     dReal a[5] = {1, 2, 3, 4, 5};
     const dReal d[4] = {2, 3, 4, 5};

@@ -285,7 +285,7 @@ int times(const std::string& text, const std::string& part)
     return count;
 }
 
-TEST(SelfTestApi, passes_leaves_the_sequence_of_dRand_alone_and_gives_its_memory_back)
+TEST(SelfTestApi, passes_leaves_the_sequence_of_d_rand_alone_and_gives_its_memory_back)
 {
     dRandSetSeed(5);
     dSetAllocHandler([](dsizeint size) { return ++g_live_blocks, std::malloc(size); });

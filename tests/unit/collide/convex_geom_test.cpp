@@ -57,7 +57,7 @@ struct Touch {
     Touch(dGeomID a, dGeomID b) : contacts(), count(dCollide(a, b, 8, contacts, sizeof(dContactGeom))) {}
 };
 
-TEST(ConvexGeom, AnswersAsTheBoxItIs)
+TEST(ConvexGeom, answers_as_the_box_it_is)
 {
     const dGeomID box = dCreateBox(nullptr, 1, 2, 3);
     const dGeomID convex = box_arrays(dReal(0.5), 1, dReal(1.5)).create();
@@ -93,7 +93,7 @@ TEST(ConvexGeom, AnswersAsTheBoxItIs)
     dGeomDestroy(box), dGeomDestroy(convex);
 }
 
-TEST(ConvexGeom, AnObliqueRayHitsWhereItEnters)
+TEST(ConvexGeom, an_oblique_ray_hits_where_it_enters)
 {
     const dGeomID convex = box_arrays(dReal(0.5), dReal(0.5), dReal(0.5)).create();
     const dGeomID ray = dCreateRay(nullptr, 10);
@@ -109,7 +109,7 @@ TEST(ConvexGeom, AnObliqueRayHitsWhereItEnters)
     dGeomDestroy(ray), dGeomDestroy(convex);
 }
 
-TEST(ConvexGeom, TakesAnotherShapeAtOnce)
+TEST(ConvexGeom, takes_another_shape_at_once)
 {
     dGeomID convex = nullptr;
     {
@@ -130,7 +130,7 @@ TEST(ConvexGeom, TakesAnotherShapeAtOnce)
 
 // The original meets solids with all points, whatever the faces are: missing, wound inward, or passing by
 // points that stand out.
-TEST(ConvexGeom, IsTheHullOfItsPointsWhateverTheFaces)
+TEST(ConvexGeom, is_the_hull_of_its_points_whatever_the_faces)
 {
     MessageRecorder messages;
     Arrays few = box_arrays(1, 1, 1), inward = few, more = few;
@@ -157,7 +157,7 @@ TEST(ConvexGeom, IsTheHullOfItsPointsWhateverTheFaces)
     dGeomDestroy(ball);
 }
 
-TEST(ConvexGeom, PointsInAPlaneMakeAPlateWithTwoSides)
+TEST(ConvexGeom, points_in_a_plane_make_a_plate_with_two_sides)
 {
     Arrays flat = box_arrays(1, 1, 1);
     flat.points.resize(12);  // the lower four
@@ -184,7 +184,7 @@ TEST(ConvexGeom, PointsInAPlaneMakeAPlateWithTwoSides)
     for (const dGeomID g : {convex, ball, ray}) dGeomDestroy(g);
 }
 
-TEST(ConvexHull, OfACloudGivesBackACubeThatBothFunctionsTake)
+TEST(ConvexHull, of_a_cloud_gives_back_a_cube_that_both_functions_take)
 {
     std::vector<dReal> cloud;
     for (int i = 0; i < 5 * 5 * 5; ++i)
@@ -228,7 +228,7 @@ TEST(ConvexHull, OfACloudGivesBackACubeThatBothFunctionsTake)
     dGeomDestroy(hull);
 }
 
-TEST(ConvexHull, RefusesWhatHasNoInside)
+TEST(ConvexHull, refuses_what_has_no_inside)
 {
     MessageRecorder messages;
     std::vector<dReal> points = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, dReal(0.3), dReal(0.4), 0};
@@ -263,7 +263,7 @@ TEST(ConvexHull, RefusesWhatHasNoInside)
     dGeomDestroy(good);
 }
 
-TEST(ConvexGeom, RefusesWhatIsNoSolid)
+TEST(ConvexGeom, refuses_what_is_no_solid)
 {
     MessageRecorder messages;
     const Arrays good = box_arrays(1, 1, 1);
@@ -315,7 +315,7 @@ TEST(ConvexGeom, RefusesWhatIsNoSolid)
     dGeomDestroy(ball), dGeomDestroy(convex);
 }
 
-TEST(ConvexGeom, KeepsItsShapeWhileItsSpaceCollides)
+TEST(ConvexGeom, keeps_its_shape_while_its_space_collides)
 {
     MessageRecorder messages;
     const dSpaceID space = dHashSpaceCreate(nullptr);

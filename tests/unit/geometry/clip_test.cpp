@@ -32,7 +32,7 @@ Polygon square(Real half)
     return p;
 }
 
-TEST(Clip, TwoPartsMakeTheWhole)
+TEST(Clip, two_parts_make_the_whole)
 {
     std::mt19937_64 engine(3);
     for (int i = 0; i < 500; ++i) {
@@ -47,7 +47,7 @@ TEST(Clip, TwoPartsMakeTheWhole)
     }
 }
 
-TEST(Clip, FlushEdgesStayWhole)
+TEST(Clip, flush_edges_stay_whole)
 {
     Polygon p = square(1);
     clip(p, {1, 0, 0}, 1 - kEpsilon, 8 * kEpsilon);
@@ -55,7 +55,7 @@ TEST(Clip, FlushEdgesStayWhole)
     EXPECT_EQ(p.points[0].x, 1);
 }
 
-TEST(Clip, SegmentAndPoint)
+TEST(Clip, segment_and_point)
 {
     Polygon segment;
     segment.add({-1, 0, 0}), segment.add({3, 0, 0});
@@ -72,7 +72,7 @@ TEST(Clip, SegmentAndPoint)
     EXPECT_EQ(point.count, 0);
 }
 
-TEST(Clip, PrismKeepsTheIntersection)
+TEST(Clip, prism_keeps_the_intersection)
 {
     Polygon big = square(2);
     clip_to_prism(big, square(1), {0, 0, 1}, 0);
@@ -93,7 +93,7 @@ std::vector<ContactPoint> ring(int count)
     return out;
 }
 
-TEST(ContactSink, KeepsFourWellSpreadPoints)
+TEST(ContactSink, keeps_four_well_spread_points)
 {
     dContactGeom contacts[8];
     ContactSink sink(contacts, int(sizeof(dContactGeom)), 8, false);
@@ -104,7 +104,7 @@ TEST(ContactSink, KeepsFourWellSpreadPoints)
     EXPECT_GT(std::fabs(area(p)), Real(1.9)) << "an inscribed square has area 2";
 }
 
-TEST(ContactSink, TheDeepestSurvivesAnyCapacity)
+TEST(ContactSink, the_deepest_survives_any_capacity)
 {
     for (int capacity = 1; capacity <= 6; ++capacity)
         for (int deepest = 0; deepest < 6; ++deepest) {
@@ -120,7 +120,7 @@ TEST(ContactSink, TheDeepestSurvivesAnyCapacity)
         }
 }
 
-TEST(ContactSink, StrideAndRoomAreTheCallers)
+TEST(ContactSink, stride_and_room_are_the_callers)
 {
     struct Wide {
         dContactGeom geom;

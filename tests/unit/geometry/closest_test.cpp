@@ -34,7 +34,7 @@ Real sampled(Vec3 a1, Vec3 a2, Vec3 b1, Vec3 b2)
     return best;
 }
 
-TEST(Closest, SegmentsAgreeWithSampling)
+TEST(Closest, segments_agree_with_sampling)
 {
     std::mt19937_64 engine(1);
     for (int i = 0; i < 2000; ++i) {
@@ -54,7 +54,7 @@ TEST(Closest, SegmentsAgreeWithSampling)
     }
 }
 
-TEST(Closest, ParallelSegmentsGiveAnEndPoint)
+TEST(Closest, parallel_segments_give_an_end_point)
 {
     Vec3 p, q;
     closest_segment_points({0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {3, 1, 0}, p, q);
@@ -63,7 +63,7 @@ TEST(Closest, ParallelSegmentsGiveAnEndPoint)
     EXPECT_TRUE(end);
 }
 
-TEST(Closest, SegmentToBoxAgreesWithSampling)
+TEST(Closest, segment_to_box_agrees_with_sampling)
 {
     std::mt19937_64 engine(2);
     for (int i = 0; i < 2000; ++i) {
@@ -83,13 +83,13 @@ TEST(Closest, SegmentToBoxAgreesWithSampling)
     }
 }
 
-TEST(Closest, StretchAboveAFaceGivesItsMiddle)
+TEST(Closest, stretch_above_a_face_gives_its_middle)
 {
     EXPECT_NEAR(closest_to_box({-2, 0, 3}, {4, 0, 3}, {1, 1, 1}), Real(1) / 3, kTight);
     EXPECT_NEAR(closest_to_box({5, 0, 0}, {5, 0, 0}, {1, 1, 1}), Real(0.5), Real(0.5));
 }
 
-TEST(RisingRoot, FindsKinksAndSmoothRoots)
+TEST(RisingRoot, finds_kinks_and_smooth_roots)
 {
     const auto kink = [](Real t) { return t < Real(0.3) ? -1000 * kEpsilon : t - Real(0.3); };
     EXPECT_NEAR(rising_root(kink, Real(0), kink(0), Real(1), kink(1)), Real(0.3), Real(1e-6));

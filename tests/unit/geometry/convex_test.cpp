@@ -73,7 +73,7 @@ struct Dice {
     }
 };
 
-TEST(Convex, PolytopeFindsTheDepthOfBoxes)
+TEST(Convex, polytope_finds_the_depth_of_boxes)
 {
     Dice dice{std::mt19937_64(4)};
     int hits = 0;
@@ -96,7 +96,7 @@ TEST(Convex, PolytopeFindsTheDepthOfBoxes)
     EXPECT_GT(hits, 300);
 }
 
-TEST(Convex, GjkDistanceIsBelowEveryPairOfPoints)
+TEST(Convex, gjk_distance_is_below_every_pair_of_points)
 {
     Dice dice{std::mt19937_64(5)};
     for (int i = 0; i < 1000; ++i) {
@@ -117,7 +117,7 @@ TEST(Convex, GjkDistanceIsBelowEveryPairOfPoints)
 
 // A box that stands 1 cm before a wall of 1 km, anywhere: corners of the wall are known to the rounding of half of it, the normal of its
 // face and the gap no worse. In floats a character passed such a wall.
-TEST(Convex, GjkFindsTheGapBeforeALongWall)
+TEST(Convex, gjk_finds_the_gap_before_a_long_wall)
 {
     Dice dice{std::mt19937_64(8)};
     const Box wall = {{Real(0.5), 7, 500}}, standing = {{Real(0.3), Real(0.3), Real(0.9)}};
@@ -134,7 +134,7 @@ TEST(Convex, GjkFindsTheGapBeforeALongWall)
     }
 }
 
-TEST(Convex, GjkStopsAtTheLimit)
+TEST(Convex, gjk_stops_at_the_limit)
 {
     const Box box;
     const Distance d =
@@ -143,7 +143,7 @@ TEST(Convex, GjkStopsAtTheLimit)
     EXPECT_LE(d.distance, 50);
 }
 
-TEST(Convex, HullOnHullHasTheBoxesManifold)
+TEST(Convex, hull_on_hull_has_the_boxes_manifold)
 {
     const Box box;
     const Hull hull = hull_of(box);
@@ -162,7 +162,7 @@ TEST(Convex, HullOnHullHasTheBoxesManifold)
     EXPECT_NEAR(high_y, Real(0.5), kTight);
 }
 
-TEST(Convex, InflatedCoresUseTheirDistance)
+TEST(Convex, inflated_cores_use_their_distance)
 {
     const Sphere ball = {Real(0.5)};
     const Box box;
@@ -178,7 +178,7 @@ TEST(Convex, InflatedCoresUseTheirDistance)
     }
 }
 
-TEST(Convex, CylinderOnHullIsAsExactAsCylinderOnBox)
+TEST(Convex, cylinder_on_hull_is_as_exact_as_cylinder_on_box)
 {
     Dice dice{std::mt19937_64(7)};
     int hits = 0;
@@ -197,7 +197,7 @@ TEST(Convex, CylinderOnHullIsAsExactAsCylinderOnBox)
     EXPECT_GT(hits, 100);
 }
 
-TEST(Convex, CylinderNormalsAreExact)
+TEST(Convex, cylinder_normals_are_exact)
 {
     Dice dice{std::mt19937_64(6)};
     int tried = 0;

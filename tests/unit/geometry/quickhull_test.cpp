@@ -109,7 +109,7 @@ Mat3 some_turn(Dice& dice)
     return to_matrix(q);
 }
 
-TEST(Quickhull, OfRandomPointsHoldsThemAll)
+TEST(Quickhull, of_random_points_holds_them_all)
 {
     Dice dice{std::mt19937_64(1)};
     for (int i = 0; i < 60; ++i) {
@@ -120,7 +120,7 @@ TEST(Quickhull, OfRandomPointsHoldsThemAll)
     }
 }
 
-TEST(Quickhull, KnowsThePlatonicSolids)
+TEST(Quickhull, knows_the_platonic_solids)
 {
     const Real g = (1 + std::sqrt(Real(5))) / 2, h = 1 / g;
     std::vector<Vec3> octahedron, icosahedron, dodecahedron = cube();
@@ -153,7 +153,7 @@ TEST(Quickhull, KnowsThePlatonicSolids)
 }
 
 // Points on the faces and edges, doubled, moved by rounding: still the six faces of a cube.
-TEST(Quickhull, MergesWhatLiesInOnePlane)
+TEST(Quickhull, merges_what_lies_in_one_plane)
 {
     Dice dice{std::mt19937_64(3)};
     for (int i = 0; i < 10; ++i) {
@@ -173,7 +173,7 @@ TEST(Quickhull, MergesWhatLiesInOnePlane)
     }
 }
 
-TEST(Quickhull, StaysClosedWhereMergingIsHard)
+TEST(Quickhull, stays_closed_where_merging_is_hard)
 {
     Dice dice{std::mt19937_64(4)};
     for (int i = 0; i < 40; ++i) {
@@ -193,7 +193,7 @@ TEST(Quickhull, StaysClosedWhereMergingIsHard)
     }
 }
 
-TEST(Quickhull, DoesNotDependOnTheOrder)
+TEST(Quickhull, does_not_depend_on_the_order)
 {
     Dice dice{std::mt19937_64(5)};
     std::vector<Vec3> points = cube();
@@ -218,7 +218,7 @@ TEST(Quickhull, DoesNotDependOnTheOrder)
     }
 }
 
-TEST(Quickhull, WithALimitTakesWhatStandsOutFarthest)
+TEST(Quickhull, with_a_limit_takes_what_stands_out_farthest)
 {
     Dice dice{std::mt19937_64(6)};
     std::vector<Vec3> points;
@@ -234,7 +234,7 @@ TEST(Quickhull, WithALimitTakesWhatStandsOutFarthest)
     EXPECT_GT(before, Real(0.93) * 4 / 3 * kPi);
 }
 
-TEST(Quickhull, ManyPointsAreNoTrouble)
+TEST(Quickhull, many_points_are_no_trouble)
 {
     Dice dice{std::mt19937_64(7)};
     std::vector<Vec3> points;
@@ -245,7 +245,7 @@ TEST(Quickhull, ManyPointsAreNoTrouble)
     EXPECT_GT(solid.mass().mass, Real(7.9));
 }
 
-TEST(Quickhull, RefusesWhatHasNoInside)
+TEST(Quickhull, refuses_what_has_no_inside)
 {
     Dice dice{std::mt19937_64(8)};
     const auto fault = [](const std::vector<Vec3>& points) {
@@ -265,7 +265,7 @@ TEST(Quickhull, RefusesWhatHasNoInside)
 }
 
 // Climbing must find what trying all finds.
-TEST(Quickhull, TheFarthestVertexIsFoundByClimbing)
+TEST(Quickhull, the_farthest_vertex_is_found_by_climbing)
 {
     Dice dice{std::mt19937_64(9)};
     for (const int count : {33, 200, 2000}) {

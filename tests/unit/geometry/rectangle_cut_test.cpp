@@ -70,7 +70,7 @@ void expect_same_part(const Parallelogram& f, Real half_x, Real half_y, Real tol
 
 }  // namespace
 
-TEST(RectangleCut, IsWhatCuttingSideBySideLeaves)
+TEST(RectangleCut, is_what_cutting_side_by_side_leaves)
 {
     Dice dice{std::mt19937_64(31)};
     int cut_away = 0;
@@ -90,7 +90,7 @@ TEST(RectangleCut, IsWhatCuttingSideBySideLeaves)
 }
 
 // Sides on sides and corners on corners, whole and shifted by parts of their length.
-TEST(RectangleCut, IsRightWhereSidesLieOnSides)
+TEST(RectangleCut, is_right_where_sides_lie_on_sides)
 {
     for (int shift_x = -5; shift_x <= 5; ++shift_x)
         for (int shift_y = -5; shift_y <= 5; ++shift_y)
@@ -112,7 +112,7 @@ TEST(RectangleCut, IsRightWhereSidesLieOnSides)
 }
 
 // The deepest is kept, and the four span most of what any four could.
-TEST(BestFour, KeepsTheDeepestAndSpansTheArea)
+TEST(BestFour, keeps_the_deepest_and_spans_the_area)
 {
     Dice dice{std::mt19937_64(32)};
     for (int i = 0; i < 2000; ++i) {

@@ -109,7 +109,7 @@ TEST(Mat, inverse_and_transpose)
     EXPECT_FALSE(invert(Mat3{{1, 2, 3}, {2, 4, 6}, {0, 0, 1}}, out));
 }
 
-TEST(Mat, a_rotated_tensor_is_R_S_Rt)
+TEST(Mat, a_rotated_tensor_is_r_s_rt)
 {
     RandomNumbers random(5);
     for (int i = 0; i < kRounds; ++i) {

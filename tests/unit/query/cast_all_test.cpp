@@ -38,7 +38,7 @@ struct CastSpace {
 
 constexpr double kNear = sizeof(dReal) == 8 ? 1e-6 : 1e-3;
 
-TEST(cast_all, lists_every_hit_the_nearest_first_and_agrees_with_the_closest)
+TEST(CastAll, lists_every_hit_the_nearest_first_and_agrees_with_the_closest)
 {
     const CastSpace scene;
     const dGeomID far = scene.box(9), near = scene.box(3), middle = scene.box(6);
@@ -60,7 +60,7 @@ TEST(cast_all, lists_every_hit_the_nearest_first_and_agrees_with_the_closest)
     EXPECT_EQ(hits[0].depth, 0);
 }
 
-TEST(cast_all, reports_overlaps_with_their_depth_or_leaves_them_out)
+TEST(CastAll, reports_overlaps_with_their_depth_or_leaves_them_out)
 {
     const CastSpace scene;
     const dGeomID in = scene.box(0.75), ahead = scene.box(4);
@@ -82,7 +82,7 @@ TEST(cast_all, reports_overlaps_with_their_depth_or_leaves_them_out)
 }
 
 // A ball that comes down at a box's top edge touches it aslant; the face against the motion is the top.
-TEST(cast_all, says_the_face_of_an_edge_that_was_hit)
+TEST(CastAll, says_the_face_of_an_edge_that_was_hit)
 {
     const CastSpace scene;
     scene.box(0);
@@ -95,7 +95,7 @@ TEST(cast_all, says_the_face_of_an_edge_that_was_hit)
 }
 
 // A floor and a wall of one mesh: the triangles that overlap are left out, the wall is not.
-TEST(cast_all, leaves_out_the_triangles_of_a_mesh_that_overlap_alone)
+TEST(CastAll, leaves_out_the_triangles_of_a_mesh_that_overlap_alone)
 {
     const CastSpace scene;
     const double at[8][3] = {{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0},
@@ -116,7 +116,7 @@ TEST(cast_all, leaves_out_the_triangles_of_a_mesh_that_overlap_alone)
     dGeomDestroy(mesh), dGeomTriMeshDataDestroy(data);
 }
 
-TEST(cast_all, refuses_what_the_closest_refuses)
+TEST(CastAll, refuses_what_the_closest_refuses)
 {
     const CastSpace scene;
     scene.box(3);
@@ -132,7 +132,7 @@ TEST(cast_all, refuses_what_the_closest_refuses)
 }
 
 // Outward from a face, and inward: the far wall is then met from inside only where the near one is not at the start.
-TEST(ray_starts, a_ray_that_leaves_a_surface_outward_does_not_hit_it)
+TEST(RayStarts, a_ray_that_leaves_a_surface_outward_does_not_hit_it)
 {
     const CastSpace scene;
     const dGeomID ground = dCreatePlane(scene.space, 0, 0, 1, 0);
@@ -154,7 +154,7 @@ TEST(ray_starts, a_ray_that_leaves_a_surface_outward_does_not_hit_it)
     (void)ground, (void)box;
 }
 
-TEST(ray_starts, a_ray_that_leaves_a_mesh_meets_what_the_mesh_has_beyond)
+TEST(RayStarts, a_ray_that_leaves_a_mesh_meets_what_the_mesh_has_beyond)
 {
     const CastSpace scene;
     const double at[6][3] = {{-5, -5, 0}, {5, -5, 0}, {0, 5, 0}, {-5, -5, 2}, {5, -5, 2}, {0, 5, 2}};

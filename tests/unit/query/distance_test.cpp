@@ -163,7 +163,7 @@ TEST(GeomDistance, of_every_pair_of_classes_keeps_its_promises)
             }
 }
 
-TEST(GeomDistance, agrees_with_dCollide_where_solids_overlap)
+TEST(GeomDistance, agrees_with_d_collide_where_solids_overlap)
 {
     QueryScene scene(78, 0);
     int overlaps = 0, apart = 0;

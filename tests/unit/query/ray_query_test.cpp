@@ -99,7 +99,7 @@ dColliderFn* collider_of_rays(int other) { return other == dRayClass ? hit_in_fr
 
 }  // namespace
 
-TEST(RandomRay, finds_what_dCollide_finds_in_scenes_of_all_classes)
+TEST(RandomRay, finds_what_d_collide_finds_in_scenes_of_all_classes)
 {
     int hits = 0;
     for (std::uint64_t key = 1; key <= 12; ++key) {

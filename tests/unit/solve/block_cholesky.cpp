@@ -80,7 +80,7 @@ struct System {
     }
 };
 
-TEST(BlockCholesky, SolvesWhatWasAssembled)
+TEST(BlockCholesky, solves_what_was_assembled)
 {
     for (const int n : {1, 2, 3, 4, 5, 7, 10, 15, 25, 50, 100, 200})
         // From loose bodies over trees and meshes to nearly dense.
@@ -93,7 +93,7 @@ TEST(BlockCholesky, SolvesWhatWasAssembled)
         }
 }
 
-TEST(BlockCholesky, HasTheSameBitsOnEveryMachine)
+TEST(BlockCholesky, has_the_same_bits_on_every_machine)
 {
     for (const int n : {1, 2, 5, 20, 60, 150})
         for (const int pairs : {n - 1, 2 * n, 4 * n}) {
@@ -111,7 +111,7 @@ TEST(BlockCholesky, HasTheSameBitsOnEveryMachine)
         }
 }
 
-TEST(BlockCholesky, CountsAndFreezesWhatIsNotPositive)
+TEST(BlockCholesky, counts_and_freezes_what_is_not_positive)
 {
     const BodyPair pairs[] = {{0, 1}, {1, 2}};
     Arena arena;
@@ -214,7 +214,7 @@ std::vector<std::pair<std::vector<BodyPair>, int>> large_graphs()
     return {{chain, 3000}, {comb, 4000}, {grid(24, 1), 576}, {grid(8, 6), 384}, {loose, 2500}};
 }
 
-TEST(BlockCholesky, SolvesLargeSystemsBySubtrees)
+TEST(BlockCholesky, solves_large_systems_by_subtrees)
 {
     int cut = 0;
     for (const auto& [pairs, n] : large_graphs()) {
@@ -226,7 +226,7 @@ TEST(BlockCholesky, SolvesLargeSystemsBySubtrees)
     EXPECT_GE(cut, 4);
 }
 
-TEST(BlockCholesky, HasTheSameBitsOnAnyNumberOfThreads)
+TEST(BlockCholesky, has_the_same_bits_on_any_number_of_threads)
 {
     for (const auto& [pairs, n] : large_graphs()) {
         const auto alone = LargeSystem(pairs, n, Tasks(1)).solve();
@@ -235,7 +235,7 @@ TEST(BlockCholesky, HasTheSameBitsOnAnyNumberOfThreads)
     }
 }
 
-TEST(BlockCholesky, HasTheSameBitsOnEveryMachineBySubtrees)
+TEST(BlockCholesky, has_the_same_bits_on_every_machine_by_subtrees)
 {
     for (const auto& [pairs, n] : large_graphs()) {
         LargeSystem one(pairs, n, Tasks(1)), other(pairs, n, Tasks(2));
@@ -245,7 +245,7 @@ TEST(BlockCholesky, HasTheSameBitsOnEveryMachineBySubtrees)
     }
 }
 
-TEST(BlockCholesky, CountsBadPivotsOfAllSubtrees)
+TEST(BlockCholesky, counts_bad_pivots_of_all_subtrees)
 {
     LargeSystem s(grid(24, 1), 576, Tasks(2));
     int wanted = 0;

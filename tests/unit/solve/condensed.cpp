@@ -78,7 +78,7 @@ void expect_same_velocities(const Problem& p, const Problem& other, std::uint64_
     }
 }
 
-TEST(Condensed, AgreesWithPivotingOnAllRows)
+TEST(Condensed, agrees_with_pivoting_on_all_rows)
 {
     if (kSingle) GTEST_SKIP() << "compared in double";
     int solved = 0, compared = 0;
@@ -99,7 +99,7 @@ TEST(Condensed, AgreesWithPivotingOnAllRows)
     EXPECT_GE(compared, 280);
 }
 
-TEST(Condensed, PointJointsAreWhatTheirRowsAre)
+TEST(Condensed, point_joints_are_what_their_rows_are)
 {
     if (kSingle) GTEST_SKIP() << "compared in double";
     int solved = 0;
@@ -117,7 +117,7 @@ TEST(Condensed, PointJointsAreWhatTheirRowsAre)
     EXPECT_GE(solved, 190) << "some lack digits, which the other methods have";
 }
 
-TEST(Condensed, MassRatiosOfAThousand)
+TEST(Condensed, mass_ratios_of_a_thousand)
 {
     int solved = 0;
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -130,7 +130,7 @@ TEST(Condensed, MassRatiosOfAThousand)
     EXPECT_GE(solved, 95);
 }
 
-TEST(Condensed, EveryMachineHasTheSameBits)
+TEST(Condensed, every_machine_has_the_same_bits)
 {
     for (std::uint64_t seed = 1; seed <= 50; ++seed) {
         const Problem start = tree(seed, 8, 3);
@@ -160,7 +160,7 @@ void expect_refused(Problem p)
     for (std::size_t i = 0; i < p.numbers.size(); ++i) EXPECT_EQ(p.numbers[i].p, before.numbers[i].p);
 }
 
-TEST(Condensed, LoopsAreRefused)
+TEST(Condensed, loops_are_refused)
 {
     Problem ring = tree(1, 3, 1);
     ring.ball(0, 2, {0, 0, 1}, Real(1e-8));
@@ -173,7 +173,7 @@ TEST(Condensed, LoopsAreRefused)
     expect_refused(held);
 }
 
-TEST(Condensed, BallJointsAloneAreLeftToTheFasterMethods)
+TEST(Condensed, ball_joints_alone_are_left_to_the_faster_methods)
 {
     Problem p;
     for (int i = 0; i < 4; ++i) {
@@ -183,7 +183,7 @@ TEST(Condensed, BallJointsAloneAreLeftToTheFasterMethods)
     expect_refused(p);
 }
 
-TEST(Condensed, BodiesWithoutJointsAreRefused)
+TEST(Condensed, bodies_without_joints_are_refused)
 {
     Problem p;
     p.body({0, 0, 0}, 1);
@@ -191,7 +191,7 @@ TEST(Condensed, BodiesWithoutJointsAreRefused)
     expect_refused(p);
 }
 
-TEST(Condensed, AMissedPrecisionChangesNothing)
+TEST(Condensed, a_missed_precision_changes_nothing)
 {
     Problem p = tree(5, 6, 3);
     const Problem before = p;
@@ -204,7 +204,7 @@ TEST(Condensed, AMissedPrecisionChangesNothing)
 }
 
 // A ball joint and an angular motor's drive between the same bodies are one joint of six rows.
-TEST(Condensed, JointsOfTheSameBodiesAreOne)
+TEST(Condensed, joints_of_the_same_bodies_are_one)
 {
     Problem p;
     p.body({0, 0, 0}, 1), p.body({1, 0, 0}, 2);

@@ -148,7 +148,7 @@ std::vector<Real> numbers_after_sweeps(Problem problem, Friction friction, bool 
 }
 
 // Equal, not bit by bit: zeros may differ in their sign.
-TEST(ContactKernels, WhatFormsLeaveOutWouldHaveBeenZero)
+TEST(ContactKernels, what_forms_leave_out_would_have_been_zero)
 {
     int forms[3] = {}, ignored[3] = {};
     std::vector<Problem> problems = all_problems();
@@ -166,7 +166,7 @@ TEST(ContactKernels, WhatFormsLeaveOutWouldHaveBeenZero)
     EXPECT_GT(forms[int(BatchForm::kEven)], 0);
 }
 
-TEST(ContactKernels, AllMachinesMakeTheSameBits)
+TEST(ContactKernels, all_machines_make_the_same_bits)
 {
     const auto all = contact_kernels();
     ASSERT_STREQ(all[0]->name, "baseline");
@@ -185,7 +185,7 @@ TEST(ContactKernels, AllMachinesMakeTheSameBits)
     });
 }
 
-TEST(ContactKernels, AllMachinesMakeTheSameBitsInFloats)
+TEST(ContactKernels, all_machines_make_the_same_bits_in_floats)
 {
     const auto all = contact_kernels();
     if (all.size() == 1) GTEST_SKIP() << "this machine runs the baseline only";
@@ -201,7 +201,7 @@ TEST(ContactKernels, AllMachinesMakeTheSameBitsInFloats)
 }
 
 // Friction lies in the ellipse of its limits, on its rim where it slides.
-TEST(ContactKernels, ConesBoundFrictionInThePlane)
+TEST(ContactKernels, cones_bound_friction_in_the_plane)
 {
     for (const ContactKernels* kernels : contact_kernels()) {
         int on_the_rim = 0;
@@ -225,7 +225,7 @@ TEST(ContactKernels, ConesBoundFrictionInThePlane)
 }
 
 // Swept for long, lanes settle on the answer of the scalar formulas by which residuals are made.
-TEST(ContactKernels, ManifoldFrictionSettlesOnItsBall)
+TEST(ContactKernels, manifold_friction_settles_on_its_ball)
 {
     Problem falling = box_grid(2, 1, 2, Real(0.3), false), sliding = falling;
     for (SolverBody& body : sliding.bodies) body.v.x += 1, body.w.z += 2;
@@ -257,7 +257,7 @@ TEST(ContactKernels, ManifoldFrictionSettlesOnItsBall)
 }
 
 // What the points report adds up to the force and the couple of the whole.
-TEST(ContactKernels, PartsOfAManifoldFrictionAddUp)
+TEST(ContactKernels, parts_of_a_manifold_friction_add_up)
 {
     for (const ContactKernels* kernels : contact_kernels()) {
         int compared = 0;
@@ -291,7 +291,7 @@ TEST(ContactKernels, PartsOfAManifoldFrictionAddUp)
     }
 }
 
-TEST(ContactKernels, ApproachIsThatOfTheNormalRows)
+TEST(ContactKernels, approach_is_that_of_the_normal_rows)
 {
     const Problem problem = warm_problem(9);
     for (const ContactKernels* kernels : contact_kernels()) {

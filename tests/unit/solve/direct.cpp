@@ -124,7 +124,7 @@ bool brute_force(const Dense& d, std::vector<Wide>& p)
     return false;
 }
 
-TEST(Direct, AgreesWithBruteForceOverAllActiveSets)
+TEST(Direct, agrees_with_brute_force_over_all_active_sets)
 {
     if (kSingle) GTEST_SKIP() << "compared in double";
     for (std::uint64_t seed = 1; seed <= 150; ++seed) {
@@ -155,7 +155,7 @@ TEST(Direct, AgreesWithBruteForceOverAllActiveSets)
     }
 }
 
-TEST(Direct, RandomIslandsMeetTheirPromise)
+TEST(Direct, random_islands_meet_their_promise)
 {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         RandomKind kind;
@@ -165,7 +165,7 @@ TEST(Direct, RandomIslandsMeetTheirPromise)
     }
 }
 
-TEST(Direct, WithoutSoftness)
+TEST(Direct, without_softness)
 {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         RandomKind kind;
@@ -178,7 +178,7 @@ TEST(Direct, WithoutSoftness)
     }
 }
 
-TEST(Direct, RepeatedRows)
+TEST(Direct, repeated_rows)
 {
     for (const Real cfm : {Real(0), Real(1e-10)}) {
         Problem p;
@@ -191,7 +191,7 @@ TEST(Direct, RepeatedRows)
     }
 }
 
-TEST(Direct, MassRatioOfAMillion)
+TEST(Direct, mass_ratio_of_a_million)
 {
     for (const Real ratio : {Real(1e6), Real(1e-6)}) {
         Problem p;
@@ -211,7 +211,7 @@ TEST(Direct, MassRatioOfAMillion)
     }
 }
 
-TEST(Direct, StacksAndPyramids)
+TEST(Direct, stacks_and_pyramids)
 {
     Problem stack = box_grid(1, 1, 10, Real(.5), false, Real(1e-10)),
             wall = pyramid(10, Real(.5), Real(1e-10));
@@ -220,7 +220,7 @@ TEST(Direct, StacksAndPyramids)
     for (const SolverBody& b : wall.bodies) EXPECT_LT(length(b.v), kSingle ? 1e-2 : 1e-6);
 }
 
-TEST(Direct, OverdeterminedLoopOfJoints)
+TEST(Direct, overdetermined_loop_of_joints)
 {
     // A triangle of bodies, every pair welded by two coincident ball joints: 18 equations, many dependent.
     for (const Real cfm : {Real(0), Real(1e-10)}) {
@@ -237,7 +237,7 @@ TEST(Direct, OverdeterminedLoopOfJoints)
     }
 }
 
-TEST(Direct, NoRowsIsNoWork)
+TEST(Direct, no_rows_is_no_work)
 {
     Problem p;
     p.body({}, 1);

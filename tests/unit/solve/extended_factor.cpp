@@ -35,7 +35,7 @@ Problem far_chain(std::uint64_t seed, Real far, Real cfm)
 
 double error_of(DoubleDouble x, DoubleDouble y) { return std::fabs(rounded(x - y)); }
 
-TEST(DoubleDouble, ProductsAndQuotientsHaveAHundredBits)
+TEST(DoubleDouble, products_and_quotients_have_a_hundred_bits)
 {
     Dice dice(1);
     for (int i = 0; i < 1000; ++i) {
@@ -49,7 +49,7 @@ TEST(DoubleDouble, ProductsAndQuotientsHaveAHundredBits)
     EXPECT_NE(third.lo, 0);
 }
 
-TEST(ExtendedFactor, SolvesWhatLongLeverArmsMakeSingularInDoubles)
+TEST(ExtendedFactor, solves_what_long_lever_arms_make_singular_in_doubles)
 {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         Problem p = far_chain(seed, Real(1e6), Real(1e-10));
@@ -80,7 +80,7 @@ TEST(ExtendedFactor, SolvesWhatLongLeverArmsMakeSingularInDoubles)
     }
 }
 
-TEST(ExtendedFactor, LongLeverArmsKeepThePromiseOfTheExactSolver)
+TEST(ExtendedFactor, long_lever_arms_keep_the_promise_of_the_exact_solver)
 {
     if (kSingle) GTEST_SKIP() << "such arms leave no digits to floats";
     for (const Real far : {Real(1e4), Real(1e6), Real(1e8), Real(1e10)})

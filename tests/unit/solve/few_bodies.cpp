@@ -33,7 +33,7 @@ Problem tumbling(std::uint64_t seed)
     return p;
 }
 
-TEST(FewBodies, AgreeWithPrincipalPivoting)
+TEST(FewBodies, agree_with_principal_pivoting)
 {
     if (kSingle) GTEST_SKIP() << "compared in double";
     int settled[3] = {};  // of 100 each, with one, two and three boxes
@@ -56,7 +56,7 @@ TEST(FewBodies, AgreeWithPrincipalPivoting)
     EXPECT_GE(settled[2], 5) << "three: most that move are left to pivoting";
 }
 
-TEST(FewBodies, ANotSolvedSystemIsAsItWas)
+TEST(FewBodies, a_not_solved_system_is_as_it_was)
 {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         Problem p = tumbling(seed);
@@ -71,7 +71,7 @@ TEST(FewBodies, ANotSolvedSystemIsAsItWas)
     }
 }
 
-TEST(FewBodies, OneRoundAPhaseFromTheirOwnAnswer)
+TEST(FewBodies, one_round_a_phase_from_their_own_answer)
 {
     for (int boxes = 1; boxes <= 3; ++boxes) {
         Problem p = box_grid(1, 1, boxes, Real(.5), false);
@@ -85,7 +85,7 @@ TEST(FewBodies, OneRoundAPhaseFromTheirOwnAnswer)
     }
 }
 
-TEST(FewBodies, RedundantRowsWithoutSoftness)
+TEST(FewBodies, redundant_rows_without_softness)
 {
     for (int boxes = 1; boxes <= 2; ++boxes) {
         Problem p = box_grid(1, 1, boxes, Real(.5), false, 0);

@@ -93,7 +93,7 @@ std::vector<BodyPair> grid_of(int side)
     return pairs;
 }
 
-TEST(BodyGraph, ListsEveryNeighbourOnceInOrder)
+TEST(BodyGraph, lists_every_neighbour_once_in_order)
 {
     Dice dice(11);
     for (int n = 1; n <= 40; ++n) {
@@ -111,7 +111,7 @@ TEST(BodyGraph, ListsEveryNeighbourOnceInOrder)
     }
 }
 
-TEST(BodyGraph, DoesNotDependOnTheOrderOfPairs)
+TEST(BodyGraph, does_not_depend_on_the_order_of_pairs)
 {
     Dice dice(12);
     auto pairs = random_pairs(dice, 30, 80);
@@ -123,7 +123,7 @@ TEST(BodyGraph, DoesNotDependOnTheOrderOfPairs)
     EXPECT_TRUE(std::ranges::equal(one.order, other.order));
 }
 
-TEST(Ordering, IsAPermutationOfAnyGraph)
+TEST(Ordering, is_a_permutation_of_any_graph)
 {
     Dice dice(4);
     for (int n = 1; n <= 200; ++n) {
@@ -135,7 +135,7 @@ TEST(Ordering, IsAPermutationOfAnyGraph)
     }
 }
 
-TEST(Symbolic, FrontsHoldWhatEliminationProduces)
+TEST(Symbolic, fronts_hold_what_elimination_produces)
 {
     Dice dice(5);
     for (int n = 1; n <= 120; ++n) {
@@ -185,7 +185,7 @@ int column_at(const SymbolicFactor& symbolic, int target, int place)
     return place < f.width ? f.first + place : symbolic.rows[std::size_t(f.rows + place - f.width)];
 }
 
-TEST(Symbolic, UpdatesNameEveryRowOfEveryTarget)
+TEST(Symbolic, updates_name_every_row_of_every_target)
 {
     Dice dice(15);
     int borders = 0;
@@ -236,7 +236,7 @@ int fill_of(Pattern p, std::span<const int> order)
     return total;
 }
 
-TEST(Ordering, FillsHardlyMoreThanExactMinimumDegree)
+TEST(Ordering, fills_hardly_more_than_exact_minimum_degree)
 {
     Dice dice(6);
     for (const int n : {20, 60, 150}) {
@@ -254,7 +254,7 @@ TEST(Ordering, FillsHardlyMoreThanExactMinimumDegree)
     }
 }
 
-TEST(Ordering, ATreeFillsNothing)
+TEST(Ordering, a_tree_fills_nothing)
 {
     const int n = 100;
     std::vector<BodyPair> pairs;
@@ -262,7 +262,7 @@ TEST(Ordering, ATreeFillsNothing)
     EXPECT_EQ(fill_of(pattern_of(n, pairs), Analysis(n, pairs).order), n - 1);
 }
 
-TEST(Ordering, AChainIsEatenFromBothEndsWithoutFill)
+TEST(Ordering, a_chain_is_eaten_from_both_ends_without_fill)
 {
     const int n = 1001;
     const Analysis a(n, chain_of(n));

@@ -50,7 +50,7 @@ struct BoxCase {
     }
 };
 
-TEST(PackedRows, AreTheRowsOneByOne)
+TEST(PackedRows, are_the_rows_one_by_one)
 {
     for (std::uint64_t seed = 1; seed <= 4; ++seed)
         for (const RowKernels* kernels : row_kernels()) {
@@ -113,7 +113,7 @@ Outcome solve_with(const RowKernels& kernels, std::uint64_t seed)
 }
 
 // What lay on the stack before is no part of the problem: it once decided whether the method gave up.
-TEST(InteriorPoint, BeginsTheSameInAnyMemory)
+TEST(InteriorPoint, begins_the_same_in_any_memory)
 {
     alignas(InteriorPoint) unsigned char memory[sizeof(InteriorPoint)];
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -138,7 +138,7 @@ TEST(InteriorPoint, BeginsTheSameInAnyMemory)
     }
 }
 
-TEST(RowKernels, AllMachinesMakeTheSameBits)
+TEST(RowKernels, all_machines_make_the_same_bits)
 {
     ASSERT_STREQ(row_kernels().front()->name, "baseline");
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {

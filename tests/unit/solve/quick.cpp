@@ -76,7 +76,7 @@ Problem in_general_form(const Problem& p)
     return out;
 }
 
-TEST(Quick, ReachesTheExactAnswerWithoutFriction)
+TEST(Quick, reaches_the_exact_answer_without_friction)
 {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         RandomKind kind;
@@ -88,7 +88,7 @@ TEST(Quick, ReachesTheExactAnswerWithoutFriction)
     }
 }
 
-TEST(Quick, PackedContactsEqualTheSameRowsInGeneralForm)
+TEST(Quick, packed_contacts_equal_the_same_rows_in_general_form)
 {
     // With one manifold per pair of bodies and everything converged both must end in the same place.
     RandomKind kind;
@@ -100,7 +100,7 @@ TEST(Quick, PackedContactsEqualTheSameRowsInGeneralForm)
     EXPECT_LT(difference(packed, general), kSingle ? 1e-3 : 1e-8);
 }
 
-TEST(Quick, OneVisitIsTheSameOnBothPaths)
+TEST(Quick, one_visit_is_the_same_on_both_paths)
 {
     // One contact, one sweep, no coupling between blocks: the two paths compute the same Gauss-Seidel visit.
     for (const bool proportional : {true, false}) {
@@ -120,7 +120,7 @@ TEST(Quick, OneVisitIsTheSameOnBothPaths)
     }
 }
 
-TEST(Quick, ResidualFallsWithSweeps)
+TEST(Quick, residual_falls_with_sweeps)
 {
     Real last = kInf;
     for (const int sweeps : {5, 50, 500, 5000}) {
@@ -133,7 +133,7 @@ TEST(Quick, ResidualFallsWithSweeps)
     EXPECT_LT(last, 1e-2);
 }
 
-TEST(Quick, BoundsHoldAfterAnyNumberOfSweeps)
+TEST(Quick, bounds_hold_after_any_number_of_sweeps)
 {
     for (std::uint64_t seed = 1; seed <= 30; ++seed)
         for (const int sweeps : {1, 3, 20}) {
@@ -144,7 +144,7 @@ TEST(Quick, BoundsHoldAfterAnyNumberOfSweeps)
         }
 }
 
-TEST(Quick, VelocitiesAreThoseOfTheImpulses)
+TEST(Quick, velocities_are_those_of_the_impulses)
 {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         RandomKind kind;
@@ -161,7 +161,7 @@ TEST(Quick, VelocitiesAreThoseOfTheImpulses)
     }
 }
 
-TEST(Quick, MomentumOfFreeBodiesIsKept)
+TEST(Quick, momentum_of_free_bodies_is_kept)
 {
     RandomKind kind;
     kind.contacts = 12;
@@ -186,7 +186,7 @@ TEST(Quick, MomentumOfFreeBodiesIsKept)
     EXPECT_LT(max_component(abs(a1 - a0)), kSingle ? 1e-3 : 1e-11);
 }
 
-TEST(Quick, NoSweepsMeansNoConstraints)
+TEST(Quick, no_sweeps_means_no_constraints)
 {
     for (const int sweeps : {0, -5}) {
         Problem p = random_problem(5, {}), before = p;
@@ -197,14 +197,14 @@ TEST(Quick, NoSweepsMeansNoConstraints)
     }
 }
 
-TEST(Quick, NoRowsIsNoWork)
+TEST(Quick, no_rows_is_no_work)
 {
     Problem p;
     p.body({}, 1);
     EXPECT_EQ(run(p).residual, 0);
 }
 
-TEST(Quick, KinematicBodiesKeepTheirVelocity)
+TEST(Quick, kinematic_bodies_keep_their_velocity)
 {
     RandomKind kind;
     kind.kinematic = true, kind.contacts = 30;
@@ -214,7 +214,7 @@ TEST(Quick, KinematicBodiesKeepTheirVelocity)
     EXPECT_TRUE(p.bodies[0].v == before.v && p.bodies[0].w == before.w);
 }
 
-TEST(Quick, InfiniteFrictionWithoutLoadSticks)
+TEST(Quick, infinite_friction_without_load_sticks)
 {
     // ODE's QuickStep: infinity times zero bounds nothing.
     for (const bool packed : {true, false}) {
@@ -229,7 +229,7 @@ TEST(Quick, InfiniteFrictionWithoutLoadSticks)
     }
 }
 
-TEST(Quick, EmptyRowsAreIgnored)
+TEST(Quick, empty_rows_are_ignored)
 {
     Problem p;
     p.body({0, 0, Real(.5)}, 1);
@@ -244,7 +244,7 @@ TEST(Quick, EmptyRowsAreIgnored)
     EXPECT_TRUE(std::isfinite(p.bodies[0].v.z));
 }
 
-TEST(Quick, EverySafeOverRelaxationConverges)
+TEST(Quick, every_safe_over_relaxation_converges)
 {
     for (const Real w : {Real(.3), Real(1), Real(1.3), Real(1.7)}) {
         Problem p = chain(12, 5, Real(1e-6));
@@ -252,7 +252,7 @@ TEST(Quick, EverySafeOverRelaxationConverges)
     }
 }
 
-TEST(Quick, SameSeedSameBitsOtherSeedOtherOrder)
+TEST(Quick, same_seed_same_bits_other_seed_other_order)
 {
     Problem a = pyramid(6, Real(.5)), b = pyramid(6, Real(.5)), c = pyramid(6, Real(.5));
     run(a, 20, Real(1.3), 42);
@@ -264,7 +264,7 @@ TEST(Quick, SameSeedSameBitsOtherSeedOtherOrder)
 
 // A body that touches nothing and is heavy enough has all sweeps made in Reals. These take manifolds in
 // another order, which is why distances from the answer are compared.
-TEST(Quick, PilesInFloatsAreAsNearTheAnswerAsInReals)
+TEST(Quick, piles_in_floats_are_as_near_the_answer_as_in_reals)
 {
     for (const bool sideways : {true, false}) {
         Problem floats = box_grid(4, 4, 3, Real(.5), sideways, Real(1e-3)), reals = floats;
@@ -279,7 +279,7 @@ TEST(Quick, PilesInFloatsAreAsNearTheAnswerAsInReals)
     }
 }
 
-TEST(Quick, WarmStartAtTheAnswerStaysThere)
+TEST(Quick, warm_start_at_the_answer_stays_there)
 {
     Problem p = pyramid(5, Real(.5), Real(1e-3));
     const Problem start = p;
@@ -292,7 +292,7 @@ TEST(Quick, WarmStartAtTheAnswerStaysThere)
     }
 }
 
-TEST(Quick, FrictionlessAndRollingContactsShareAnIsland)
+TEST(Quick, frictionless_and_rolling_contacts_share_an_island)
 {
     Problem p = pyramid(3, -1, Real(1e-6));
     Row normal = p.point_row(0, -1, {0, 0, 0}, {0, 0, 1}, Real(.2), Real(1e-6));

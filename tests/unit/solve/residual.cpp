@@ -32,7 +32,7 @@ Real residual(Problem& p, Real impulse)
     return natural_residual(system, p.bodies, lo, hi, arena);
 }
 
-TEST(Residual, IsZeroAtTheAnswerAndTheVelocityErrorElsewhere)
+TEST(Residual, is_zero_at_the_answer_and_the_velocity_error_elsewhere)
 {
     Problem p = one_contact();
     EXPECT_EQ(residual(p, 1), 0);
@@ -40,7 +40,7 @@ TEST(Residual, IsZeroAtTheAnswerAndTheVelocityErrorElsewhere)
     EXPECT_NEAR(residual(p, Real(1.25)), Real(.25), 1e-6);
 }
 
-TEST(Residual, OfALeavingContactIsTheImpulseItShouldNotHave)
+TEST(Residual, of_a_leaving_contact_is_the_impulse_it_should_not_have)
 {
     Problem p = one_contact();
     p.bodies[0].v = {0, 0, 1};
@@ -48,7 +48,7 @@ TEST(Residual, OfALeavingContactIsTheImpulseItShouldNotHave)
     EXPECT_NEAR(residual(p, Real(.5)), Real(.5), 1e-6);
 }
 
-TEST(Residual, BoundsFollowTheParent)
+TEST(Residual, bounds_follow_the_parent)
 {
     Problem p;
     p.body({}, 1);
@@ -62,7 +62,7 @@ TEST(Residual, BoundsFollowTheParent)
     EXPECT_EQ(hi[4], 0);  // no load, no limit to stand on
 }
 
-TEST(Residual, NoRowsNoError)
+TEST(Residual, no_rows_no_error)
 {
     Problem p;
     p.body({}, 1);

@@ -83,7 +83,7 @@ Problem spring(Real k, Real d, Real h)
     return p;
 }
 
-TEST(Substeps, SubstepsOfASpringAreThoseOfTheSameSpring)
+TEST(Substeps, substeps_of_a_spring_are_those_of_the_same_spring)
 {
     for (const int n : {1, 2, 5}) {
         const Real h = Real(0.02), k = 300, d = 4;
@@ -100,7 +100,7 @@ TEST(Substeps, SubstepsOfASpringAreThoseOfTheSameSpring)
     }
 }
 
-TEST(Substeps, MappingKeepsSpringAndDamper)
+TEST(Substeps, mapping_keeps_spring_and_damper)
 {
     const Real h = Real(0.01), k = 1000, d = 20;
     Row row;
@@ -116,7 +116,7 @@ TEST(Substeps, MappingKeepsSpringAndDamper)
     EXPECT_NEAR(map_row(row, {h / 4, 4}, 1).C, row.cfm / (h / 4), 1e-6);
 }
 
-TEST(Substeps, FeedbackIsTheForceThatHolds)
+TEST(Substeps, feedback_is_the_force_that_holds)
 {
     // A body hanging from a rigid ball joint: the impulse of the step is h m g, whatever n.
     for (const int n : {1, 4, 10}) {
@@ -131,7 +131,7 @@ TEST(Substeps, FeedbackIsTheForceThatHolds)
     }
 }
 
-TEST(Substeps, AFallingBoxStopsAtTheFloor)
+TEST(Substeps, a_falling_box_stops_at_the_floor)
 {
     // On one contact exactly. On two, one sweep per pass leaves a few percent of the impact.
     for (const int contacts : {1, 2}) {
@@ -151,7 +151,7 @@ TEST(Substeps, AFallingBoxStopsAtTheFloor)
     }
 }
 
-TEST(Substeps, ReboundIsWhatTheRowSays)
+TEST(Substeps, rebound_is_what_the_row_says)
 {
     Problem p;
     p.body({0, 0, Real(.5)}, 1);
@@ -163,7 +163,7 @@ TEST(Substeps, ReboundIsWhatTheRowSays)
     EXPECT_NEAR(p.bodies[0].v.z, 1.5, 1e-5);
 }
 
-TEST(Substeps, AContactThatIsLeftDoesNotPull)
+TEST(Substeps, a_contact_that_is_left_does_not_pull)
 {
     Problem p;
     p.body({0, 0, Real(.5)}, 1);
@@ -176,7 +176,7 @@ TEST(Substeps, AContactThatIsLeftDoesNotPull)
     EXPECT_NEAR(p.places[0].z, .5 + p.h, 1e-6);
 }
 
-TEST(Substeps, AContactThatOpensMayCloseAgainExactly)
+TEST(Substeps, a_contact_that_opens_may_close_again_exactly)
 {
     // Thrown up gently: gravity brings the box back within the step, to the surface and not above it.
     Problem p;
@@ -191,7 +191,7 @@ TEST(Substeps, AContactThatOpensMayCloseAgainExactly)
     EXPECT_GT(p.numbers[0].p, 0);
 }
 
-TEST(Substeps, FrictionIsBoundedByTheLoad)
+TEST(Substeps, friction_is_bounded_by_the_load)
 {
     Problem p;
     p.body({0, 0, Real(.5)}, 1, {1, 1, 1});
@@ -205,7 +205,7 @@ TEST(Substeps, FrictionIsBoundedByTheLoad)
     EXPECT_NEAR(tangent, .5 * p.numbers[0].p, 1e-4);
 }
 
-TEST(Substeps, ForceBoundsOfAMotorAreForces)
+TEST(Substeps, force_bounds_of_a_motor_are_forces)
 {
     for (const int n : {1, 4}) {
         Problem p;
@@ -221,7 +221,7 @@ TEST(Substeps, ForceBoundsOfAMotorAreForces)
     }
 }
 
-TEST(Substeps, ABoundedRowLeavesTheOthersOfItsJointExact)
+TEST(Substeps, a_bounded_row_leaves_the_others_of_its_joint_exact)
 {
     // A weld with a weak drive: the drive is on its bound, the locked rows still hold.
     Problem p;
@@ -240,7 +240,7 @@ TEST(Substeps, ABoundedRowLeavesTheOthersOfItsJointExact)
         EXPECT_NEAR(row_velocity(p.rows[i], p.bodies[0], &p.bodies[1]), 0, kSingle ? 1e-4 : 1e-9);
 }
 
-TEST(Substeps, AnUnequalChainOfTenHoldsTogether)
+TEST(Substeps, an_unequal_chain_of_ten_holds_together)
 {
     Problem p = chain(10, 100);
     for (SolverBody& b : p.bodies) b.v = {};

@@ -57,14 +57,14 @@ struct Cut {
     }
 };
 
-TEST(Subtrees, SmallTreesStayWhole)
+TEST(Subtrees, small_trees_stay_whole)
 {
     const Cut cut({2, 2, -1}, {10, 10, 10});
     EXPECT_EQ(cut.count, 0);
     EXPECT_EQ(cut.share(-1), 1);
 }
 
-TEST(Subtrees, AChainEatenFromBothEndsIsTwoHalves)
+TEST(Subtrees, a_chain_eaten_from_both_ends_is_two_halves)
 {
     const int n = 4001;
     std::vector<int> parent;
@@ -76,7 +76,7 @@ TEST(Subtrees, AChainEatenFromBothEndsIsTwoHalves)
     EXPECT_NEAR(cut.share(0), 0.5, 0.01);
 }
 
-TEST(Subtrees, ABalancedTreeGivesWorkForMany)
+TEST(Subtrees, a_balanced_tree_gives_work_for_many)
 {
     const int n = 1023;  // the heap order backwards: children before parents
     std::vector<int> parent;
@@ -88,7 +88,7 @@ TEST(Subtrees, ABalancedTreeGivesWorkForMany)
     for (int t = 0; t < cut.count; ++t) EXPECT_LT(cut.share(t), 0.3);
 }
 
-TEST(Subtrees, AnyForestIsCutIntoWholeSubtrees)
+TEST(Subtrees, any_forest_is_cut_into_whole_subtrees)
 {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         CounterRandom dice(seed);

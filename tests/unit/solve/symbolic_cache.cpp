@@ -43,7 +43,7 @@ void use(SymbolicCache& cache, int n, const Pairs& pairs)
 
 bool same(std::span<const int> a, std::span<const int> b) { return std::ranges::equal(a, b); }
 
-TEST(SymbolicCache, KnowsWhatItHasSeen)
+TEST(SymbolicCache, knows_what_it_has_seen)
 {
     SymbolicCache cache;
     Pairs pairs = chain_of(20);
@@ -61,7 +61,7 @@ TEST(SymbolicCache, KnowsWhatItHasSeen)
     EXPECT_FALSE(known(cache, 21, chain_of(20)));
 }
 
-TEST(SymbolicCache, HoldsWhatAnAnalysisFinds)
+TEST(SymbolicCache, holds_what_an_analysis_finds)
 {
     Dice dice(3);
     SymbolicCache cache;
@@ -90,7 +90,7 @@ TEST(SymbolicCache, HoldsWhatAnAnalysisFinds)
     }
 }
 
-TEST(SymbolicCache, ForgetsTheLeastRecentlyUsed)
+TEST(SymbolicCache, forgets_the_least_recently_used)
 {
     SymbolicCache cache;
     for (int k = 0; k < SymbolicCache::kEntries; ++k) use(cache, 10 + k, chain_of(10 + k));
@@ -101,7 +101,7 @@ TEST(SymbolicCache, ForgetsTheLeastRecentlyUsed)
     EXPECT_TRUE(known(cache, 500, chain_of(500)));
 }
 
-TEST(SymbolicCache, NeverTakesAFactorFromItsBorrower)
+TEST(SymbolicCache, never_takes_a_factor_from_its_borrower)
 {
     SymbolicCache cache;
     Arena arena;
@@ -114,7 +114,7 @@ TEST(SymbolicCache, NeverTakesAFactorFromItsBorrower)
     EXPECT_TRUE(known(cache, 10, chain_of(10)));
 }
 
-TEST(SymbolicCache, ServesSeveralThreads)
+TEST(SymbolicCache, serves_several_threads)
 {
     SymbolicCache cache;
     std::vector<std::thread> threads;
