@@ -75,7 +75,7 @@ ODE_API int dWorldGetHistory(dWorldID world);
     and attachments; what has been created since is destroyed, contact objects of ODE's way too. Returns 1.
     Refused, with nothing changed: more than dWorldGetHistoryFrames, a call during a step; by name, what cannot
     come back: another shape of a geom, drives that are new, destroyed spaces, transforms and geoms of a class
-    of the program; with couplings, `joints` or bodies made or lost. [ours] */
+    of the program; fluids, vehicles or wheels made or lost; with couplings, `joints` or bodies made or lost. [ours] */
 ODE_API int dWorldRollBack(dWorldID world, int frames);
 
 /** What the history has.
