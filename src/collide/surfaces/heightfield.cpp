@@ -298,15 +298,20 @@ bool Terrain::ends_at(const Facet& f, Vec3 n) const
     return !(has(i - 1, j) && has(i + 1, j) && has(i, j - 1) && has(i, j + 1));
 }
 
-bool Terrain::has_ridge(const Facet& f) const
+unsigned Terrain::ridges(const Facet& f) const
 {
+    unsigned some = 0;
     for (int k = 0; k < 3; ++k) {
         const GridStep s = kAcross[f.upper][k];
-        if (!has(f.i + s.i, f.j + s.j) || hole_beyond(f, k)) return true;
+        if (!has(f.i + s.i, f.j + s.j) || hole_beyond(f, k)) {
+            some |= 1u << k;
+            continue;
+        }
         const Vec3 d = vertex(f.i + s.i, f.j + s.j) - f.v[k];
-        if (dot(f.n, d) < -kLevel * length(d)) return true;
+        const Real rise = dot(f.n, d);
+        some |= rise < 0 && rise * rise > kLevel * kLevel * length2(d) ? 1u << k : 0;
     }
-    return false;
+    return some;
 }
 
 }  // namespace epode

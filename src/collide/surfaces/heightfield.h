@@ -127,8 +127,8 @@ class Terrain {
     // Is that place at a border of the field?
     bool ends_at(const Facet& facet, Vec3 n) const;
 
-    // Does the surface fall away behind an edge of the facet?
-    bool has_ridge(const Facet& facet) const;
+    // The edges of the facet behind which the surface falls away, a bit for each.
+    unsigned ridges(const Facet& facet) const;
 
     // Does the surface fall away from the plane across n along all edges at a corner of the facet?
     bool falls_around(const Facet& facet, int corner, Vec3 n, Real level) const;

@@ -33,7 +33,13 @@ class SolidReach {
         if (!box_) return dot(n, solid_.support(-n));
         return dot(n, solid_.pose.p) - dot(abs(transposed_times(solid_.pose.R, n)), box_->half);
     }
-    bool symmetric() const { return solid_.face_axes != 0 || solid_.edge_axes != 0; }
+    bool symmetric() const { return box_ || cylinder_; }
+    bool has_middle() const { return symmetric() || solid_.kind == SolidKind::kPolyhedron; }
+    Vec3 middle() const  // a point that is surely in the solid
+    {
+        if (symmetric()) return solid_.pose.p;
+        return solid_.pose.to_world(static_cast<const Polyhedron*>(solid_.shape)->inner());
+    }
 
     // That no direction can be less than `own`, the overlap along the facet's normal n, by kFaceFirst, when
     // the solid's lowest point p is deep in the triangle. With s the distance of its foot from the edges, in
@@ -44,8 +50,7 @@ class SolidReach {
     // that is min(own, s) and (s H - L own) / sqrt((H + own)^2 + (s + L)^2). `p` is lowest_along(n).
     bool own_is_least(const Triangle& f, Real own, Vec3 p) const
     {
-        if (!symmetric() || !(own > 0)) return false;
-        const Vec3 c = solid_.pose.p;
+        if (!has_middle() || !(own > 0)) return false;
         const Real worth = kFaceFirst * own;
         Real s = kInf;
         for (int k = 0; k < 3; ++k) {
@@ -55,6 +60,7 @@ class SolidReach {
             const Real distance = in / length(e);
             s = distance < s ? distance : s;
         }
+        const Vec3 c = middle();
         const Real H = f.height(c), fall = H + own, L2 = length2(c - p) - fall * fall;
         const Real L = L2 > 0 ? std::sqrt(L2) : Real(0), clear = s * H - L * own;
         return clear > 0 && clear * clear > worth * worth * (fall * fall + (s + L) * (s + L));
@@ -66,21 +72,22 @@ class SolidReach {
     // where the two are the same, (own S + H s) / sqrt((own + H)^2 + (S - s)^2). `p` is lowest_along(n).
     bool own_is_less(const Triangle& f, int k, Real own, Vec3 p) const
     {
-        const Real H = f.height(solid_.pose.p), worth = kFaceFirst * own;
+        const Vec3 c = middle();
+        const Real H = f.height(c), worth = kFaceFirst * own;
         const Vec3 e = f.edge(k), in = cross(f.n, e);
-        const Real s = dot(in, p - f.v[k]), S = dot(in, solid_.pose.p - f.v[k]);  // times the edge's length
+        const Real s = dot(in, p - f.v[k]), S = dot(in, c - f.v[k]);  // times the edge's length
         const Real least = own * S + H * s;
         return own > 0 && H > worth && least > 0 &&
                least * least > worth * worth * ((own + H) * (own + H) * length2(e) + (S - s) * (S - s));
     }
-    Vec3 lowest_along(Vec3 n) const { return solid_.support(-n); }
-    // The extent of a polyhedron along n, of any length, up to rounding, at a quarter of the cost.
-    void roughly_along(Vec3 n, Real& low, Real& high) const
+    // The edges of which that is not known, a bit for each.
+    unsigned edges_to_try(const Triangle& f, Real own, Vec3 p) const
     {
-        const Real middle = dot(n, solid_.pose.p);
-        static_cast<const Polyhedron*>(solid_.shape)->extent(transposed_times(solid_.pose.R, n), low, high);
-        low += middle, high += middle;
+        unsigned some = 0;
+        for (int k = 0; k < 3; ++k) some |= own_is_less(f, k, own, p) ? 0 : 1u << k;
+        return some;
     }
+    Vec3 lowest_along(Vec3 n) const { return solid_.support(-n); }
 
   private:
     Real along_cylinder(Vec3 n) const

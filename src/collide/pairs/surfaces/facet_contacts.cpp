@@ -218,8 +218,10 @@ void collect_facet_contacts(const ConvexView& solid, PlacedHull* hull, const Tri
 {
     if (solid.kind == SolidKind::kBox)
         BoxManifoldBuilder(*static_cast<const Box*>(solid.shape), solid.pose, face, contacts).all();
+    else if (hull)
+        collect_hull_contacts(*hull, face, contacts);
     else
-        build_facet_manifold<FacetContacts&>(solid, hull, face, contacts);
+        build_facet_manifold<FacetContacts&>(solid, face, contacts);
 }
 
 }  // namespace epode

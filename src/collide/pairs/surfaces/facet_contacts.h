@@ -81,6 +81,7 @@ class FacetContacts {
 
     bool ends_at(int edge) const { return ends_[edge]; }
     Vec3 wall(int edge) const { return prism_.out[edge]; }
+    Real wall_limit(int edge) const { return prism_.limit[edge]; }
     Real before(int edge, Vec3 p) const { return prism_.limit[edge] - dot(prism_.out[edge], p); }
     Vec3 upright() const { return up_; }
     Real slack() const { return slack_; }
@@ -110,5 +111,6 @@ class FacetContacts {
 // Adds the contacts of a box, cylinder or polyhedron to `contacts`; `hull`: the placed polyhedron, or null.
 void collect_facet_contacts(const ConvexView& solid, PlacedHull* hull, const Triangle& face,
                             FacetContacts& contacts);
+void collect_hull_contacts(PlacedHull& hull, const Triangle& face, FacetContacts& contacts);
 
 }  // namespace epode

@@ -24,54 +24,22 @@ inline constexpr Real kFlat = kSingle ? Real(1e-4) : Real(1e-6);  // lean of a r
 template <typename Contacts>
 class FacetManifoldBuilder {
   public:
-    FacetManifoldBuilder(const ConvexView& solid, PlacedHull* hull, const Triangle& facet, Contacts& contacts)
-        : s_(solid), hull_(hull), f_(facet), to_(contacts)
+    FacetManifoldBuilder(const ConvexView& solid, const Triangle& facet, Contacts& contacts)
+        : s_(solid), f_(facet), to_(contacts)
     {}
 
     void all()
     {
-        if (s_.kind == SolidKind::kPolyhedron) polyhedron_faces();
         for (int i = 0; i < 3; ++i) {
             if (!(s_.face_axes >> i & 1)) continue;
             const Vec3 axis = s_.pose.R.column(i);
             face(dot(axis, f_.n) > 0 ? -axis : axis);
         }
-        if (!s_.faces.empty()) to_.add(s_.support(-f_.n));
         if (s_.kind == SolidKind::kCylinder) round();
-        if (s_.kind == SolidKind::kCurved) curved();
+        if (s_.kind == SolidKind::kCurved || s_.kind == SolidKind::kPolyhedron) curved();
     }
 
   private:
-    // Most faces look up or have no corner low enough to touch: their polygons are not computed.
-    void polyhedron_faces()
-    {
-        const Polyhedron& solid = *static_cast<const Polyhedron*>(s_.shape);
-        const Vec3 n = transposed_times(s_.pose.R, f_.n);
-        const Real middle = f_.height(s_.pose.p), limit = 4 * to_.slack() - middle;
-        for (int i = 0; i < int(s_.faces.size()); ++i) {
-            const PolyhedronFace& own = s_.faces[std::size_t(i)];
-            if (-dot(own.normal, n) < kFaceLean - Real(0.01)) continue;
-            bool low = false;
-            for (int k = 0; k < own.count && !low; ++k) {
-                const int corner = solid.corners()[std::size_t(own.first + k)];
-                low = dot(n, solid.vertices()[std::size_t(corner)]) <= limit;
-            }
-            if (!low) continue;
-            if (hull_ && i < hull_->count())
-                face_of_hull(i);
-            else
-                face(s_.pose.R * own.normal);
-        }
-    }
-
-    void face_of_hull(int i)
-    {
-        if (!(-dot(hull_->axis(i), f_.n) >= kFaceLean)) return;
-        Polygon polygon;
-        hull_->polygon(i, polygon);
-        to_.add(polygon);
-    }
-
     void face(Vec3 outward)
     {
         if (-dot(outward, f_.n) >= kFaceLean) feature(outward);
@@ -99,7 +67,8 @@ class FacetManifoldBuilder {
         }
     }
 
-    // What it shows, and its lowest point, which a polygon for a curve may miss.
+    // What it shows, and its lowest point, which a polygon for a curve may miss. Of a polyhedron only without
+    // memory to place it.
     void curved()
     {
         feature(-f_.n);
@@ -124,15 +93,14 @@ class FacetManifoldBuilder {
     }
 
     const ConvexView& s_;
-    PlacedHull* const hull_;
     const Triangle& f_;
     Contacts& to_;
 };
 
 template <typename Contacts>
-void build_facet_manifold(const ConvexView& solid, PlacedHull* hull, const Triangle& facet, Contacts contacts)
+void build_facet_manifold(const ConvexView& solid, const Triangle& facet, Contacts contacts)
 {
-    FacetManifoldBuilder<std::remove_reference_t<Contacts>>(solid, hull, facet, contacts).all();
+    FacetManifoldBuilder<std::remove_reference_t<Contacts>>(solid, facet, contacts).all();
 }
 
 }  // namespace epode

@@ -6,8 +6,8 @@
 // normal: the lower faces of the solid cut by the column, each point with its own depth below the facet.
 // Along another, the facet's edge or corner makes contact: the manifold of two convex solids. Rejected: each
 // column as a solid of its own with GJK/EPA; it meets the walls between columns, which do not exist.
-#include "collide/pairs/across_edges.h"
 #include "collide/pairs/polyhedra/box_axes.h"
+#include "collide/pairs/polyhedra/hull_axes.h"
 #include "collide/pairs/polyhedra/least_axes.h"
 #include "collide/pairs/surfaces/facet.h"
 #include "collide/pairs/surfaces/facet_contacts.h"
@@ -19,27 +19,22 @@ namespace epode {
 
 namespace {
 
-constexpr Real kFacetSafe = Real(0.999);  // less than this of a bound is no matter of rounding
-
 // The search for the direction of least overlap between the solid and the column under a facet.
 class LeastRise {
   public:
-    LeastRise(const Facet& facet, const TerrainPair& pair) : facet_(facet), m_(pair), reach_(pair.solid)
-    {
-        if (pair.solid.kind != SolidKind::kPolyhedron) return;
-        const Polyhedron& solid = *static_cast<const Polyhedron*>(pair.solid.shape);
-        ball_centre_ = pair.solid.pose.to_world(solid.inner()), ball_radius_ = solid.inner_radius();
-    }
+    LeastRise(const Facet& facet, const TerrainPair& pair) : facet_(facet), m_(pair), reach_(pair.solid) {}
 
     // False: the solid does not touch the column.
     bool search()
     {
-        depth = own_ = overlap_along(facet_.n);
+        const bool by_corner = m_.solid.kind == SolidKind::kPolyhedron;
+        if (by_corner) lowest_ = reach_.lowest_along(facet_.n);
+        depth = own_ = by_corner ? -facet_.height(lowest_) : overlap_along(facet_.n);
         normal = facet_.n;
         if (depth < 0) return false;
-        lowest_ = reach_.lowest_along(facet_.n);
+        if (!by_corner) lowest_ = reach_.lowest_along(facet_.n);
         if (reach_.own_is_least(facet_, depth, lowest_)) return true;
-        if (!(walls() && others())) return false;
+        if (!others()) return false;
         if (kFaceFirst * depth > elsewhere_) on_crest = false;
         return true;
     }
@@ -77,51 +72,13 @@ class LeastRise {
             elsewhere_ = d < elsewhere_ ? d : elsewhere_;
     }
 
-    // An overlap of more than this parts nothing and is worth nothing, whatever was rounded.
-    Real enough() const
-    {
-        const Real worth = kFaceFirst * depth / kFacetSafe;
-        return worth > 2 * m_.slack ? worth : 2 * m_.slack;
-    }
-
-    // Whether what is known to be in a polyhedron, a ball and its lowest point, shows already that an upward
-    // direction is worth nothing.
-    bool surely_more(Vec3 n) const
-    {
-        Real top = -kInf;
-        for (const Vec3 v : facet_.v) top = dot(n, v) > top ? dot(n, v) : top;
-        return top - dot(n, ball_centre_) + ball_radius_ > enough() || top - dot(n, lowest_) > enough();
-    }
-
-    // Whether the direction's overlap is by more than rounding, and more than it is worth, or less than
-    // parts the two: 1, -1, else 0.
-    int clearly(Vec3 n) const
-    {
-        if (!m_.hull || n.y < kSteepest) return 0;
-        Real top = -kInf, low, high;
-        for (const Vec3 v : facet_.v) top = dot(n, v) > top ? dot(n, v) : top;
-        reach_.roughly_along(n, low, high);
-        const Real d = top - low, hair = 2 * m_.slack;
-        return d + hair < -m_.slack ? -1 : d - hair > kFaceFirst * depth ? 1 : 0;
-    }
-
-    // False when the direction (either sense that is not downward) parts the two.
+    // False when an upward direction parts the two.
     bool offer(Vec3 n)
     {
-        if (n.y < 0) n = -n;
-        if (n.y >= kSteepest && ball_radius_ > 0 && surely_more(n)) return true;
-        if (const int clear = clearly(n)) return clear > 0;
         const Real d = overlap_along(n);
         if (d < -m_.slack) return false;
-        if (n.y < kSteepest) return n.y > 0 || overlap_along(-n) >= -m_.slack;
         consider(n, d);
         return true;
-    }
-
-    bool offer_cross(Vec3 a, Vec3 b)
-    {
-        Vec3 n = cross(a, b);
-        return length2(n) <= Real(1e-6) * length2(a) * length2(b) || !normalize(n) || offer(n);
     }
 
     // Those under the sides of the cell are upright to the axes of the solid's box.
@@ -142,9 +99,11 @@ class LeastRise {
 
     bool others()
     {
+        if (!reach_.box()) ridges_ = m_.terrain.ridges(facet_);
+        if (m_.hull) return hull_axes(HullAxes(*m_.hull, facet_, true)) && (!on_crest || walls());
+        if (!walls()) return false;
         if (reach_.box()) return closed_axes();
-        if (reach_.cylinder()) return closed_axes() && rim();
-        return listed() ? solid_faces() && edges() : any_direction();
+        return reach_.cylinder() ? closed_axes() && rim() : any_direction();
     }
 
     // Upward ones may be the way out, level ones may part the two.
@@ -177,80 +136,23 @@ class LeastRise {
                 (steep & bits(d2 < quad(worth * worth) * o.size2)) | bits(rise2 <= quad(0))};
     }
 
-    // A large polyhedron lists no edges, and what is known by its support points alone lists nothing.
-    bool listed() const
+    // A crest at a corner is opposite a face, one at an edge is a ridge's; the other edges matter where there is
+    // a crest, for they may show that the solid is not on it.
+    bool hull_axes(const HullAxes& axes)
     {
-        return m_.solid.kind != SolidKind::kCurved && (m_.solid.faces.empty() || !m_.solid.edges.empty());
-    }
-
-    bool solid_faces()
-    {
-        for (int i = 0; i < 3; ++i)
-            if ((m_.solid.face_axes >> i & 1) && !offer(m_.solid.pose.R.column(i))) return false;
-        if (m_.hull && !hull_faces(*m_.hull)) return false;
-        for (std::size_t i = m_.hull ? std::size_t(m_.hull->count()) : 0; i < m_.solid.faces.size(); ++i)
-            if (!offer(m_.solid.pose.R * m_.solid.faces[i].normal)) return false;
-        return true;
-    }
-
-    // The same as offer() of each, the separating axes first.
-    bool hull_faces(PlacedHull& hull)
-    {
-        Real upward[PlacedHull::kMostFaces];
-        unsigned wanted[PlacedHull::kMostGroups];
-        const Quad none = quad(0), parts = quad(-m_.slack), worth = quad(kFaceFirst * depth);
-        for (int g = 0; g < hull.groups(); ++g) {
-            const FourFaces& some = hull.faces(g);
-            const FaceOverlaps o(some, facet_);
-            const Quad rise = load_quad(some.y), d = if_less(rise, none, o.down, o.up);
-            const unsigned level = bits(rise <= none) & bits(none <= rise);
-            if (bits(d < parts) | (level & bits(o.down < parts))) return false;
-            store_quad(upward + 4 * g, d);
-            wanted[g] = bits(quad(kSteepest) <= magnitude(rise)) & bits(d < worth);
-        }
-        for (int g = 0; g < hull.groups(); ++g)
-            for (unsigned some = wanted[g]; some; some &= some - 1) {
-                const int i = __builtin_ctz(some);
-                const Vec3 n = hull.faces(g).axis(i);
-                if (4 * g + i < hull.count()) consider(n.y < 0 ? -n : n, upward[4 * g + i]);
-            }
-        return true;
-    }
-
-    bool edges()
-    {
-        for (int i = 0; i < 3; ++i) {
-            if ((m_.solid.edge_axes >> i & 1) && !edge(m_.solid.pose.R.column(i))) return false;
-        }
-        for (const Vec3 direction : m_.solid.edges)
-            if (!edge(m_.solid.pose.R * direction)) return false;
-        return true;
-    }
-
-    bool edge(Vec3 axis)
-    {
-        for (unsigned some = ball_radius_ > 0 ? worth_a_look(axis) : 7u; some; some &= some - 1)
-            if (!offer_cross(axis, facet_.edge(__builtin_ctz(some)))) return false;
-        return true;
-    }
-
-    // Of the directions across the axis and the facet's edges those of which surely_more() is not known.
-    unsigned worth_a_look(Vec3 axis) const
-    {
-        const AcrossEdges across(axis, facet_);
-        const auto [largest, least] = across.reach(facet_, lowest_);
-        const Quad middle = across.along(lowest_ - ball_centre_), rise = across.rise(), none = quad(0);
-        const Quad by_point = if_less(rise, none, none - least, largest),
-                   by_ball = by_point + if_less(rise, none, none - middle, middle);
-        const Real worth = enough();
-        return 7u & ~(across.at_least(rise, kSteepest) &
-                      (across.beyond(by_point, worth) | across.beyond(by_ball, worth - ball_radius_)));
+        const Real worth = kFaceFirst * depth;
+        const auto offer = [this](Vec3 n, Real d, int = 0) {
+            if (n.y >= kSteepest) consider(n, d);
+        };
+        const unsigned some = reach_.edges_to_try(facet_, own_, lowest_);
+        const auto edges = [&](unsigned which) { return axes.edges(some & which, worth, m_.slack, offer); };
+        return axes.faces(worth, m_.slack, offer) && edges(ridges_) && (!on_crest || edges(~ridges_));
     }
 
     // On a ridge, the round of a cylinder against corners, and its rims against edges.
     bool rim()
     {
-        if (!m_.terrain.has_ridge(facet_)) return true;
+        if (ridges_ == 0) return true;
         const Pose& pose = m_.solid.pose;
         const auto offer_round = [this](Real d, Vec3 n) {
             if (n.y < 0) return true;
@@ -259,9 +161,8 @@ class LeastRise {
             return true;
         };
         if (!each_round_axis(*reach_.cylinder(), pose, facet_, offer_round)) return false;
-        const Vec3 lowest = reach_.lowest_along(facet_.n);
         for (int k = 0; k < 3; ++k) {
-            if (reach_.own_is_less(facet_, k, own_, lowest)) continue;
+            if (reach_.own_is_less(facet_, k, own_, lowest_)) continue;
             RimMinimum found[kMostRimMinima];
             const int count =
                 rim_minima(RimArc(*reach_.cylinder(), pose, facet_, k), kFaceFirst * depth, found);
@@ -284,10 +185,9 @@ class LeastRise {
     const Facet& facet_;
     const TerrainPair& m_;
     const SolidReach reach_;
-    Vec3 ball_centre_;
-    Real ball_radius_ = 0;
     Vec3 lowest_;   // along the facet's normal
     Real own_ = 0;  // the overlap along the facet's normal
+    unsigned ridges_ = 0;
     // Least overlap in directions that are no contact's: aside, through the walls between columns, or against
     // a surface that goes on rising. When it is less than a crest's, the solid is not on that crest: it has
     // barely come under this facet, and what it really touches stands in another column.

@@ -276,7 +276,7 @@ void collide_holed(const Shape& a, const Pose& A, const Terrain& terrain, const 
     int i, j;
     HoleWalls walls(middle, terrain.cell_under(middle, i, j) && terrain.hole(i, j));
     PlacedHull hull(solid);
-    TerrainPair pair{terrain, solid, box, slack, collector, &walls, hull.count() > 0 ? &hull : nullptr};
+    TerrainPair pair{terrain, solid, box, slack, collector, &walls, hull.there() ? &hull : nullptr};
     AllNear any;
     each_facet(pair, cells, samples, any, [&](const Facet& f) {
         if (terrain.hole_beyond(f, 0) || terrain.hole_beyond(f, 2)) weigh_facet(a, A, f, pair);
@@ -316,7 +316,8 @@ void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, C
     }
     ContactCollector collector(Real(1e-6) * (solid.size + solid.radius), sink);
     PlacedHull hull(solid);
-    TerrainPair pair{terrain, solid, box, slack, collector, nullptr, hull.count() > 0 ? &hull : nullptr};
+    TerrainPair pair{terrain, solid, box, slack, collector, nullptr, hull.there() ? &hull : nullptr};
+    if (pair.hull) hull.drop_seams_above(heights.highest + slack);
     Near<Shape> near(a, A, terrain, solid, slack);
     each_facet(pair, cells, samples, near, [&](const Facet& f) { meet_facet(a, A, f, pair); });
     collector.deliver(sink);

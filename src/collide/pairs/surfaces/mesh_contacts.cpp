@@ -201,7 +201,7 @@ void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, NearTr
     ContactCollector collector(Real(1e-6) * (solid.size + solid.radius), sink);
     PlacedHull hull(solid);
     MeshPair pair{surface.mesh,  solid,  slack,     two_sided(a),
-                  near.all(),    as_ode, collector, hull.count() > 0 ? &hull : nullptr,
+                  near.all(),    as_ode, collector, hull.there() ? &hull : nullptr,
                   near.refused()};
     for (const int t : near.close()) {
         if constexpr (std::is_same_v<Shape, Sphere>) {

@@ -7,8 +7,8 @@
 // prism, each point with its own depth. Along another, a crest: the manifold of two convex solids. The
 // own normal points to the side on which the solid's middle is. A box or polyhedron in the back of a triangle
 // is pushed out backwards, a cylinder is not pushed, as in ODE.
-#include "collide/pairs/across_edges.h"
 #include "collide/pairs/polyhedra/box_axes.h"
+#include "collide/pairs/polyhedra/hull_axes.h"
 #include "collide/pairs/polyhedra/least_axes.h"
 #include "collide/pairs/surfaces/facet_contacts.h"
 #include "geometry/hulls/polyhedron.h"
@@ -22,9 +22,7 @@ namespace {
 
 constexpr Real kOwnShare =
     Real(0.5);  // less of the own depth against a neighbour that rises: it is that which is touched
-constexpr Real kShallow = Real(5e-4);   // of the size: no less than the depth of whatever a search would find
-constexpr std::size_t kManyEdges = 16;  // of a polyhedron: more are searched by expansion
-constexpr Real kSafeFraction = Real(0.999);  // less than this of a bound is no matter of rounding
+constexpr Real kShallow = Real(5e-4);  // of the size: no less than the depth of whatever a search would find
 constexpr Real kAlongCrest = Real(0.2);  // a normal that leans along a crest by less is made upright to it
 
 // The least overlap among the directions that have been tried.
@@ -42,12 +40,7 @@ struct Way {
 // The search for the direction of least overlap that is allowed.
 class LeastWay : public Way {
   public:
-    LeastWay(const MeshFacet& facet, const MeshPair& pair) : f_(facet), m_(pair), reach_(pair.solid)
-    {
-        if (pair.solid.kind != SolidKind::kPolyhedron) return;
-        const Polyhedron& solid = *static_cast<const Polyhedron*>(pair.solid.shape);
-        ball_centre_ = pair.solid.pose.to_world(solid.inner()), ball_radius_ = solid.inner_radius();
-    }
+    LeastWay(const MeshFacet& facet, const MeshPair& pair) : f_(facet), m_(pair), reach_(pair.solid) {}
 
     // False: the two do not touch.
     bool search()
@@ -119,10 +112,17 @@ class LeastWay : public Way {
             if (!normalize(upright)) continue;
             const Crest upright_crest = crest_at_edge(f_, edge, upright);
             const Real across = overlap_along(upright);
-            if (upright_crest.stands && across < kFaceFirst * depth)
-                return judge(upright, across, upright_crest, edge);
+            if (!upright_crest.stands || !(across < kFaceFirst * depth)) continue;
+            blocked = d < blocked ? d : blocked;
+            return judge(upright, across, upright_crest, edge);
         }
         judge(n, d, crest, shows.at);
+    }
+
+    // The same of one that edge k shows.
+    void consider_edge(Vec3 n, Real d, int k)
+    {
+        if (d < kFaceFirst * depth) judge(n, d, crest_at_edge(f_, k, n), k);
     }
 
     // Whether n leans along a side by clearly more than kAlongCrest; computed without a square root.
@@ -141,64 +141,6 @@ class LeastWay : public Way {
         }
         blocked = d < blocked ? d : blocked;
         if (edge >= 0 && f_.rim[edge] == Rim::kHollow && d < hollow) hollow = d;
-    }
-
-    // Whether what is known to be in a polyhedron, a ball and its lowest point, shows already that neither
-    // sense of an axis is worth anything.
-    bool surely_more(Vec3 a, Real size2, Real least, Real largest) const
-    {
-        const Real worth = kFaceFirst * depth, spare = kSafeFraction * (ball_radius_ - worth);
-        const Real middle = dot(a, ball_centre_), low = dot(a, lowest_);
-        const auto more = [&](Real of_middle, Real of_low) {
-            const bool by_ball =
-                spare > 0 && (of_middle >= 0 || of_middle * of_middle <= spare * spare * size2);
-            return by_ball ||
-                   (of_low > 0 && kSafeFraction * kSafeFraction * of_low * of_low >= worth * worth * size2);
-        };
-        return more(largest - middle, largest - low) && more(middle - least, low - least);
-    }
-
-    // Whether the overlap of a polyhedron along the axis is by more than rounding, and more than it is worth,
-    // or less than parts the two: 1, -1, else 0.
-    int clearly(Vec3 a, Real size2, Real least, Real largest) const
-    {
-        if (!m_.hull) return 0;
-        Real low, high;
-        reach_.roughly_along(a, low, high);
-        const Real hair = m_.slack * (std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z));
-        const Real d = std::min(largest - low, high - least), worth = kFaceFirst * depth;
-        const Real more = d + hair, less = d - hair;
-        if (more < 0 && more * more > m_.slack * m_.slack * size2) return -1;
-        return less > 0 && less * less >= worth * worth * size2 ? 1 : 0;
-    }
-
-    // Both senses of an axis of the length sqrt(size2); false when it parts the two. Most axes are done with
-    // before their length is needed.
-    bool offer(Vec3 a, Real size2 = 1)
-    {
-        Real least = kInf, largest = -kInf;
-        for (const Vec3 v : f_.v) {
-            const Real at = dot(a, v);
-            least = at < least ? at : least, largest = at > largest ? at : largest;
-        }
-        if (ball_radius_ > 0 && surely_more(a, size2, least, largest)) return true;
-        if (const int clear = clearly(a, size2, least, largest)) return clear > 0;
-        const Real low = reach_.low_along(a);
-        const Real high = reach_.symmetric() ? 2 * dot(a, m_.solid.pose.p) - low : -reach_.low_along(-a);
-        const Real up = largest - low, down = high - least, d = up <= down ? up : down;
-        if (d < 0 && d * d > m_.slack * m_.slack * size2) return false;
-        const Real worth = kFaceFirst * depth;
-        if (d > 0 && d * d >= worth * worth * size2) return true;
-        const Real size = std::sqrt(size2);
-        consider(up <= down ? a / size : -a / size, d / size);
-        return true;
-    }
-
-    bool offer_cross(Vec3 a, Vec3 b)
-    {
-        const Vec3 n = cross(a, b);
-        const Real size2 = length2(n);
-        return size2 <= Real(1e-6) * length2(a) * length2(b) || offer(n, size2);
     }
 
     bool closed_axes()
@@ -224,62 +166,16 @@ class LeastWay : public Way {
     bool axes()
     {
         if (reach_.box() || reach_.cylinder()) return closed_axes();
-        const ConvexView& s = m_.solid;
-        for (int i = 0; i < 3; ++i)
-            if ((s.face_axes >> i & 1) && !offer(s.pose.R.column(i))) return false;
-        for (int i = 0; i < 3; ++i)
-            for (int k = 0; k < 3; ++k)
-                if ((s.edge_axes >> i & 1) && !offer_cross(s.pose.R.column(i), f_.edge(k))) return false;
-        if (m_.hull && !hull_faces(*m_.hull)) return false;
-        for (std::size_t i = m_.hull ? std::size_t(m_.hull->count()) : 0; i < s.faces.size(); ++i)
-            if (!offer(s.pose.R * s.faces[i].normal)) return false;
-        if (many_edges()) return true;
-        for (const Vec3 edge : s.edges)
-            if (!offer_edge(s.pose.R * edge)) return false;
-        return true;
+        return !m_.hull || hull_axes(HullAxes(*m_.hull, f_, false));
     }
-    // The same as offer() of each, the separating axes first.
-    bool hull_faces(PlacedHull& hull)
+
+    bool hull_axes(const HullAxes& axes)
     {
-        Real up[PlacedHull::kMostFaces], down[PlacedHull::kMostFaces];
-        unsigned wanted[PlacedHull::kMostGroups];
         const Real worth = kFaceFirst * depth;
-        for (int g = 0; g < hull.groups(); ++g) {
-            const FaceOverlaps o(hull.faces(g), f_);
-            const Quad d = smaller(o.up, o.down), d2 = d * magnitude(d);
-            if (bits(d2 < quad(-m_.slack * m_.slack))) return false;
-            wanted[g] = bits(d2 < quad(worth * worth));
-            store_quad(up + 4 * g, o.up), store_quad(down + 4 * g, o.down);
-        }
-        for (int g = 0; g < hull.groups(); ++g)
-            for (unsigned some = wanted[g]; some; some &= some - 1) {
-                const int i = __builtin_ctz(some), k = 4 * g + i;
-                const Vec3 a = hull.faces(g).axis(i);
-                if (k < hull.count()) consider(up[k] <= down[k] ? a : -a, std::min(up[k], down[k]));
-            }
-        return true;
+        return axes.faces(worth, m_.slack, [this](Vec3 n, Real d) { consider(n, d); }) &&
+               axes.edges(reach_.edges_to_try(f_, own_, lowest_), worth, m_.slack,
+                          [this](Vec3 n, Real d, int k) { consider_edge(n, d, k); });
     }
-    bool offer_edge(Vec3 edge)
-    {
-        for (unsigned some = ball_radius_ > 0 ? worth_a_look(edge) : 7u; some; some &= some - 1)
-            if (!offer_cross(edge, f_.edge(__builtin_ctz(some)))) return false;
-        return true;
-    }
-    // Of the directions across an edge of a polyhedron and those of the triangle those of which what
-    // surely_more() tells is not known.
-    unsigned worth_a_look(Vec3 edge) const
-    {
-        const AcrossEdges across(edge, f_);
-        const auto [largest, least] = across.reach(f_, lowest_);
-        const Quad middle = across.along(lowest_ - ball_centre_);
-        const Real enough = depth > 0 ? kFaceFirst * depth / kSafeFraction : Real(0),
-                   spare = enough - ball_radius_;
-        const auto more = [&](const Quad& by_point, const Quad& by_ball) {
-            return across.beyond(by_point, enough) | across.beyond(by_ball, spare);
-        };
-        return 7u & ~(more(largest, largest + middle) & more(quad(0) - least, quad(0) - least - middle));
-    }
-    bool many_edges() const { return m_.solid.edges.size() > kManyEdges; }
 
     // The round of a cylinder against corners.
     bool rounds()
@@ -321,12 +217,12 @@ class LeastWay : public Way {
         return true;
     }
 
-    // What has no short list of directions: rims, and polyhedra with many edges.
+    // What has no short list of directions: rims, and what is curved.
     bool exact()
     {
         const ConvexView& s = m_.solid;
         if (reach_.cylinder()) return rounds() && rims(0, false);
-        if (s.face_axes == 7 || (!s.edges.empty() && !many_edges())) return true;
+        if (reach_.box() || m_.hull) return true;
         const ConvexView flat = view_of(f_);
         if (!f_.has_crest() || own_ < kShallow * s.size) return !(gjk_distance(s, flat).distance > m_.slack);
         const Overlap o = least_overlap(s, flat);
@@ -338,9 +234,8 @@ class LeastWay : public Way {
     const MeshFacet& f_;
     const MeshPair& m_;
     const SolidReach reach_;
-    Real tie_ = -1;              // of heights of corners; negative: not known yet
-    Vec3 ball_centre_, lowest_;  // the lowest point of the solid, along the triangle's normal
-    Real ball_radius_ = 0;
+    Real tie_ = -1;  // of heights of corners; negative: not known yet
+    Vec3 lowest_;    // the lowest point of the solid, along the triangle's normal
     Real own_ = 0;
     bool quick_ = false;
     int skipped_ = 0;  // the first edge that was left out
