@@ -161,8 +161,8 @@ function make_field(e, space, s, label) {
 export function create_geom(world, body, kind, options) {
     const e = world.engine, label = `createGeom(${typeof kind === 'string' ? `'${kind}'` : typeof kind})`;
     if (typeof kind !== 'string' || !Object.hasOwn(shapes, kind)) refuse(label, 'kind', `one of ${Object.keys(shapes).join(', ')}`, kind);
-    const shape = shapes[kind], own = [...shape.sizes, 'density', 'mass'];
-    const given = checked_options(options, ['Geom', shape.of.name], own, label), misplaced = (body ? kPose : kOffset).find(name => name in given);
+    const shape = shapes[kind], own = [...shape.sizes, 'density', 'mass'], name = kind[0].toUpperCase() + kind.slice(1);
+    const given = checked_options(options, ['Geom', name], own, label), misplaced = (body ? kPose : kOffset).find(name => name in given);
     if (misplaced) throw new TypeError(`${label}: ${misplaced} is not for a geom ${body ? 'of a body; its place is an offset' : 'without a body'}`);
     const space = world.space, handle = body?.handle ?? 0;
     const {pointer, shared} = shape.make(e, space, given, label);

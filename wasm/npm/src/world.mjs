@@ -121,11 +121,11 @@ export class World extends WorldStates {
      * @returns {JointKinds[K]}
      */
     createJoint(kind, body1, body2, options = {}) {
-        const e = this.engine, label = 'World.createJoint', of = joint_class(kind, label);
-        const given = checked_options(options, ['Joint', of.name], ['enabled', 'measures'], label);
+        const e = this.engine, label = 'World.createJoint', [name, of] = joint_class(kind, label);
+        const given = checked_options(options, ['Joint', name], ['enabled', 'measures'], label);
         const ends = [body1, body2].map((body, i) => body === null ? 0 : e.pointer_to(body, Body, label, `body${i + 1}`));
         if ([body1, body2].some(body => body && body.world !== this)) throw new EpodeError('other', `${label}: a body of another world`);
-        const pointer = e.c[`dJointCreate${of.name}`](this.handle, 0);
+        const pointer = e.c[`dJointCreate${name}`](this.handle, 0);
         e.check(label);
         const made = this.begun(/** @type {any} */ (new of(this, pointer)));
         return finished(made, () => {
@@ -278,10 +278,10 @@ export class World extends WorldStates {
     }
 }
 
-/** @param {unknown} kind @param {string} label */
+/** The class of a kind, and its name: minifiers rename classes, but not what modules export. @param {unknown} kind @param {string} label */
 function joint_class(kind, label) {
-    const of = typeof kind === 'string' ? Object.values(joints).find(one => one.kind === kind) : undefined;
-    return of ?? refuse(label, 'kind', `one of ${Object.values(joints).map(one => one.kind).join(', ')}`, kind);
+    const found = typeof kind === 'string' ? Object.entries(joints).find(([, one]) => one.kind === kind) : undefined;
+    return found ?? refuse(label, 'kind', `one of ${Object.values(joints).map(one => one.kind).join(', ')}`, kind);
 }
 
 /** @param {Body | Joint | Geom} one */

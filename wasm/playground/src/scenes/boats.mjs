@@ -4,7 +4,7 @@
 // Boats, crates and barrels in waves (ode/fluid.h).
 import {slider} from './slider.mjs';
 
-const kDepth = 4, kSide = 26;
+const kDepth = 4, kSide = 40;
 
 // Two trains of waves, of 9 and 5 m.
 const sea = waves => (x, y, time) => waves * (0.3 * Math.sin(0.7 * x - 2.6 * time) + 0.14 * Math.sin(1.2 * (0.5 * x + 0.87 * y) - 3.4 * time));
@@ -28,7 +28,7 @@ export const boats = {
     view: {center: [0, 0, 0], radius: 5.5, direction: [0.5, -0.8, 0.36]},
     build(kit, values) {
         const {c} = kit.engine, {world} = kit, fluid = c.dFluidCreate(world.handle), at = pointer => c.reals(pointer, 2);
-        kit.fixed('plane', {normal: [0, 0, 1], distance: -kDepth}, {color: 4});
+        kit.fixed('plane', {normal: [0, 0, 1], distance: -kDepth}, {color: 2});
         const height = (x, y, time) => sea(values.waves)(x, y, time);
         const surface = c.callback('iid:d', (_, place, time) => height(...at(place), time));
         const settings = c.create('dFluidSettings'), thicken = density => {

@@ -30,7 +30,7 @@ function fracture_of(kit, geoms, strength, radius) {
 export const tower = {
     title: 'Tower',
     about: 'A tower of one piece, until cannon balls break out of it what they hit.',
-    sliders: {courses: slider('Courses', 4, 20, 1, 12), strength: slider('Strength, N s', 50, 3000, 50, 400), speed: slider('Speed of the balls, m/s', 5, 40, 1, 20)},
+    sliders: {courses: slider('Courses', 4, 20, 1, 12), strength: slider('Strength, N s', 50, 5000, 50, 1500), speed: slider('Speed of the balls, m/s', 5, 40, 1, 20)},
     view: {center: [0, 0, 1.9], radius: 5, direction: [0.55, -0.8, 0.3]},
     build(kit, {courses, strength, speed}) {
         const {c} = kit.engine, {world} = kit;
