@@ -112,8 +112,8 @@ Real raise(const Body& body, SolverBody& out, const Swing& swing, Real resolved)
     Sym3 I = rotate(body.rotation(), body.inertia);
     const Real largest = std::max(I.xx, std::max(I.yy, I.zz));
     Real q = s / largest;
-    if (trace(out.inv_inertia, swing.at_levers) > resolved)
-        q = std::max(q, largest_eigenvalue(out.inv_inertia, swing.at_levers));
+    if (trace(out.inv_inertia, swing.at_arms) > resolved)
+        q = std::max(q, largest_eigenvalue(out.inv_inertia, swing.at_arms));
     if (!(q > resolved)) return 0;
     const Real k = std::min(1 - resolved / q, kMaxRaise * largest / s);
     I.xx += k * S.xx, I.yy += k * S.yy, I.zz += k * S.zz;
@@ -138,7 +138,7 @@ class Swings {
         if (S_.empty()) return;
         Swing& swing = S_[std::size_t(body)];
         add_swing(swing.S, load.P, h_ * length(load.P) * std::sqrt(lever2)), ++swing.loads;
-        add_swing(swing.at_levers, lever, h_ * std::fabs(dot(load.P, lever)));
+        add_swing(swing.at_arms, lever, h_ * std::fabs(dot(load.P, lever)));
     }
     std::span<const Swing> sums() const { return S_; }
 

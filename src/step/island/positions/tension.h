@@ -18,7 +18,7 @@ inline constexpr Real kResolvedExactly = 3, kResolvedBySweeps = 1;
 // the inertia m r^2 that its mass has there, and is no link.
 struct Swing {
     Sym3 S;
-    Sym3 at_levers;  // the same about what is at right angles to the levers
+    Sym3 at_arms;  // the same about what is at right angles to the levers
     int loads;
     bool is_link() const { return loads > 1; }
 };
