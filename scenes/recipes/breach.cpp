@@ -5,8 +5,8 @@
 // off, and the balls go on through it. Before it a vase of twelve staves falls from a pillar and breaks on the floor.
 #include <cmath>
 
-#include "scenes/build.h"
 #include "scenes/assemblies.h"
+#include "scenes/build.h"
 
 namespace epode::scenes {
 

@@ -48,7 +48,7 @@ constexpr Real kMaxRaise = kSingle ? Real(1e3) : Real(1e10);
 struct Load {
     Vec3 P;
     Real r1, r2;
-    Vec3 lever1, lever2;
+    Vec3 arm1, arm2;
 };
 
 Load load_of(const Joint& joint, const RowBlock& block, const RowSystem& system)
@@ -66,10 +66,10 @@ Load load_of(const Joint& joint, const RowBlock& block, const RowSystem& system)
         load.r1 = std::max(load.r1, length2(row.ang1));
         load.r2 = std::max(load.r2, length2(row.ang2));
         ++directions;
-        load.lever1 += Real(0.5) * cross(row.lin1, row.ang1),
-            load.lever2 += Real(0.5) * cross(row.lin2, row.ang2);
+        load.arm1 += Real(0.5) * cross(row.lin1, row.ang1),
+            load.arm2 += Real(0.5) * cross(row.lin2, row.ang2);
     }
-    if (directions != 3) load.lever1 = load.lever2 = {};
+    if (directions != 3) load.arm1 = load.arm2 = {};
     return load;
 }
 
@@ -131,14 +131,14 @@ class Swings {
   public:
     Swings(const IslandWork& work, Real h, Arena& arena) : work_(work), h_(h), arena_(arena) {}
 
-    void add(int body, const Load& load, Real lever2, Vec3 lever)
+    void add(int body, const Load& load, Real arm2, Vec3 arm)
     {
-        if (body < 0 || !matters(work_.system.bodies[std::size_t(body)], length2(load.P) * lever2)) return;
+        if (body < 0 || !matters(work_.system.bodies[std::size_t(body)], length2(load.P) * arm2)) return;
         if (S_.empty()) S_ = arena_.take_zeroed<Swing>(int(work_.system.bodies.size()));
         if (S_.empty()) return;
         Swing& swing = S_[std::size_t(body)];
-        add_swing(swing.S, load.P, h_ * length(load.P) * std::sqrt(lever2)), ++swing.loads;
-        add_swing(swing.at_arms, lever, h_ * std::fabs(dot(load.P, lever)));
+        add_swing(swing.S, load.P, h_ * length(load.P) * std::sqrt(arm2)), ++swing.loads;
+        add_swing(swing.at_arms, arm, h_ * std::fabs(dot(load.P, arm)));
     }
     std::span<const Swing> sums() const { return S_; }
 
@@ -189,8 +189,8 @@ std::span<const Swing> find_swings(const IslandWork& work, Real h, Arena& arena)
         if (block.contact || joint.impulse_rows != block.count) continue;
         Load load = load_of(joint, block, work.system);
         load.P *= step_ratio(lasting(joint), work.system.h);
-        swings.add(block.body1, load, load.r1, load.lever1);
-        swings.add(block.body2, load, load.r2, load.lever2);
+        swings.add(block.body1, load, load.r1, load.arm1);
+        swings.add(block.body2, load, load.r2, load.arm2);
     }
     return swings.sums();
 }
