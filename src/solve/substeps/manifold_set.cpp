@@ -79,8 +79,7 @@ void set(BroadLaneVec3& to, int lane, Float3 a) { to.x[lane] = a.x, to.y[lane] =
 
 }  // namespace
 
-bool ManifoldSet::prepare(const RowSystem& system, const Substep& step, const Tasks& tasks, Arena& arena,
-                          Real max_correcting_velocity)
+bool ManifoldSet::prepare(const RowSystem& system, const Substep& step, const Tasks& tasks, Arena& arena)
 {
     tasks_ = tasks;
     const int count = int(system.contact_manifolds.size());
@@ -88,8 +87,7 @@ bool ManifoldSet::prepare(const RowSystem& system, const Substep& step, const Ta
     hs_ = step.hs;
     sweep_.per_hs = float(1 / step.hs);
     sweep_.swift = float(kSwift * step.hs), sweep_.just_closed = 1e-6f + float(step.hs) * sweep_.swift;
-    const Real usual = default_contact(step, 1, false).max_bias_velocity;
-    sweep_.max_bias_velocity = float(std::min(usual, std::max(max_correcting_velocity, Real(0))));
+    sweep_.max_bias_velocity = float(default_contact(step, 1, false).max_bias_velocity);
     const int bodies = int(system.bodies.size());
     motions_ = arena.take_zeroed<FloatMotion>(bodies + 1);
     impulse_velocity_ = arena.take<Velocity>(bodies);

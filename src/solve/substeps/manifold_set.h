@@ -26,9 +26,8 @@ class ManifoldSet {
     explicit ManifoldSet(const ManifoldKernels& kernels = *manifold_kernels().back()) : kernels_(&kernels) {}
 
     // False: out of memory. Velocities are those before any force. `tasks` runs the batches of a colour, and
-    // the bodies, in parallel if there are many. At most at that velocity, m/s, penetration is removed.
-    bool prepare(const RowSystem& system, const Substep& step, const Tasks& tasks, Arena& arena,
-                 Real max_correcting_velocity = kInf);
+    // the bodies, in parallel if there are many.
+    bool prepare(const RowSystem& system, const Substep& step, const Tasks& tasks, Arena& arena);
     bool empty() const { return batches_.empty(); }
     bool may_rebound() const { return any_elastic_; }
 

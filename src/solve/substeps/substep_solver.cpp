@@ -24,8 +24,7 @@ bool SubstepSolver<Joints>::prepare(const SubstepSettings& settings, Arena& aren
     load_velocities(system_, velocities_);
     if (!joints_.follow(system_, step_, velocities_, arena)) return false;
     if (!contacts_.prepare(system_, step_, settings.seed, arena)) return false;
-    if (!manifolds_.prepare(system_, step_, settings.tasks, arena, settings.max_correcting_velocity))
-        return false;
+    if (!manifolds_.prepare(system_, step_, settings.tasks, arena)) return false;
     if (settings.want_residual) {
         before_ = arena.take<SolverBody>(int(system_.bodies.size()));
         lo_ = arena.take<Real>(int(system_.numbers.size()));

@@ -28,7 +28,6 @@ namespace epode {
 
 struct SubstepSettings {
     std::uint64_t seed = 0;               // a function of world, step and island: for shuffles
-    Real max_correcting_velocity = kInf;  // m/s, of contact manifolds
     bool want_residual = false;           // costs an evaluation
     std::span<Real> part_residuals = {};  // also of each part of a system of several
     Tasks tasks{};

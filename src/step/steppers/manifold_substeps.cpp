@@ -15,14 +15,13 @@ class ManifoldSubsteps {
         : system_(system), model_(model), step_{system.h / Real(n), n}, tasks_(tasks), ends_(ends)
     {}
 
-    bool prepare(Real max_correcting_velocity, Arena& arena)
+    bool prepare(Arena& arena)
     {
         const int bodies = int(system_.bodies.size());
         velocities_ = take_velocities(system_, arena);
         force_velocity_ = arena.take<Velocity>(bodies);
         mean_ = arena.take_zeroed<Velocity>(bodies);
-        if (arena.failed() || !manifolds_.prepare(system_, step_, tasks_, arena, max_correcting_velocity))
-            return false;
+        if (arena.failed() || !manifolds_.prepare(system_, step_, tasks_, arena)) return false;
         for (Velocity& world : velocities_.subspan(force_velocity_.size())) world = {};
         each_body([&](std::size_t i) {
             const SolverBody& body = system_.bodies[i];
@@ -83,12 +82,12 @@ class ManifoldSubsteps {
 
 }  // namespace
 
-bool make_manifold_substeps(RowSystem& system, SubstepModel& model, int n, Real max_correcting_velocity,
-                            const Tasks& tasks, std::span<Velocity> ends, Arena& arena)
+bool make_manifold_substeps(RowSystem& system, SubstepModel& model, int n, const Tasks& tasks,
+                            std::span<Velocity> ends, Arena& arena)
 {
     Arena::Scope scope(arena);
     ManifoldSubsteps substeps(system, model, n, tasks, ends);
-    return substeps.prepare(max_correcting_velocity, arena) && substeps.run(arena);
+    return substeps.prepare(arena) && substeps.run(arena);
 }
 
 }  // namespace epode

@@ -11,7 +11,7 @@
 namespace epode {
 
 // `ends`: as in make_substeps. False: out of memory.
-bool make_manifold_substeps(RowSystem& system, SubstepModel& model, int n, Real max_correcting_velocity,
-                            const Tasks& tasks, std::span<Velocity> ends, Arena& arena);
+bool make_manifold_substeps(RowSystem& system, SubstepModel& model, int n, const Tasks& tasks,
+                            std::span<Velocity> ends, Arena& arena);
 
 }  // namespace epode

@@ -96,8 +96,7 @@ class SubstepRun {
         run_.solved.iterations = 2 * n_;
         if (!system_.rows.empty()) return solve_rows(model);
         if (run_.context.manages_contacts)
-            return make_manifold_substeps(system_, model, n_, run_.world.contact_max_vel, run_.tasks, ends_,
-                                          run_.arena);
+            return make_manifold_substeps(system_, model, n_, run_.tasks, ends_, run_.arena);
         return make_free_substeps(model);
     }
 
@@ -123,7 +122,6 @@ class SubstepRun {
     {
         run_.solved.iterations = 2 * solved_substeps_;
         const SubstepSettings settings{.seed = run_.seed(),
-                                       .max_correcting_velocity = run_.world.contact_max_vel,
                                        .want_residual = !run_.reports.empty(),
                                        .part_residuals = run_.part_residuals,
                                        .tasks = run_.tasks};

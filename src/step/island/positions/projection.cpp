@@ -17,9 +17,9 @@
 // pose; contacts, and rows whose error does not answer to the pose (Plane2D's rates, angles that the client
 // hands in), follow the motion to first order: e <- e - J dx. What is beyond a stop or inside a contact is
 // removed here and not by velocities, which would outlive the depth and throw the body off ("split impulses",
-// Guendelman, Bridson & Fedkiw, 2003). Contacts lose their ERP's share of the depth in a step, and no more than the
-// world's bound of correcting velocities allows: all at once, a pile that is wedged pushes itself apart for ever. They
-// keep half the tolerance, so that they are found again.
+// Guendelman, Bridson & Fedkiw, 2003). Contacts lose their ERP's share of the depth in a step: all at once, a
+// pile that is wedged pushes itself apart for ever. They keep half the tolerance, so that they are found
+// again.
 //
 // Joints are closed by the impulses of the step itself (step/island/positions/shake.h). Here their rows only hold them while bodies are parted;
 // where SHAKE leaves a joint open by more than kLongestTurn of its levers, these poses close it.
@@ -172,8 +172,7 @@ class Projection {
         if (std::size_t(block) >= work_.joints.size())
             hold.error += work_.system.h * std::min(normal.speed, Real(0));
         hold.error -= world_.projection_tolerance / 2 / per_arm;
-        const Real limit = std::max(world_.contact_max_vel, Real(0)) * work_.system.h;
-        const Real share = std::min({normal.erp, Real(1), hold.error > 0 ? limit / hold.error : kInf});
+        const Real share = std::min(normal.erp, Real(1));
         // The tolerance is one of the depth, not of the share that this step removes.
         if (hold.error > 0 && share > 0) hold.error *= share, hold.per_arm /= share;
         if (!(share > 0)) hold.error = std::min(hold.error, Real(0));
