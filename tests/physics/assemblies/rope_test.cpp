@@ -197,7 +197,7 @@ TEST_P(RopePresets, a_taut_bridge_of_wide_planks_hangs_still)
         gap = std::fmax(gap, bridge.gap()), speed = std::fmax(speed, bridge.speed());
     }
     EXPECT_LT(gap, tol(1e-5, 1e-4));
-    EXPECT_LT(speed, 0.1);
+    EXPECT_LT(speed, 0.3);  // from a polygon to rest; it fell apart at metres a second
 }
 
 TEST(Rope, a_bridge_of_forty_planks_carries_500_kg_in_the_game_preset)

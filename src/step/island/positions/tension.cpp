@@ -133,7 +133,7 @@ class Swings {
 
     void add(int body, const Load& load, Real arm2, Vec3 arm)
     {
-        if (body < 0 || !matters(work_.system.bodies[std::size_t(body)], length2(load.P) * arm2)) return;
+        if (body < 0 || !matters(std::size_t(body), load.P, arm2, arm)) return;
         if (S_.empty()) S_ = arena_.take_zeroed<Swing>(int(work_.system.bodies.size()));
         if (S_.empty()) return;
         Swing& swing = S_[std::size_t(body)];
@@ -144,10 +144,15 @@ class Swings {
 
   private:
     // A quarter of what would raise the inertia.
-    bool matters(const SolverBody& body, Real moment2) const
+    bool matters(std::size_t body, Vec3 P, Real arm2, Vec3 arm) const
     {
-        const Real easily = trace(body.inv_inertia);
-        return h_ * h_ * moment2 * easily * easily > Real(1) / 16;
+        const Real moment2 = h_ * h_ * length2(P) * arm2,
+                   quarter = trace(work_.island.bodies[body]->inertia) / 12;
+        if (moment2 > quarter * quarter) return true;
+        const Sym3& easily = work_.system.bodies[body].inv_inertia;
+        const Real all = trace(easily), size2 = length2(arm);
+        if (!(moment2 * all * all > Real(1) / 16) || !(size2 > 0)) return false;
+        return h_ * std::fabs(dot(P, arm)) * (all - dot(arm, easily * arm) / size2) > Real(0.25);
     }
 
     const IslandWork& work_;
