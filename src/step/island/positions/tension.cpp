@@ -109,11 +109,12 @@ Real raise(const Body& body, SolverBody& out, const Swing& swing, Real resolved)
     const Sym3& S = swing.S;
     const Real s = trace(S) / 2;
     if (!(out.inv_mass > 0) || !usable(s)) return 0;
+    const bool easily = trace(out.inv_inertia, swing.at_arms) > resolved;
+    if (!easily && !(3 * s > trace(body.inertia))) return 0;
     Sym3 I = rotate(body.rotation(), body.inertia);
     const Real largest = std::max(I.xx, std::max(I.yy, I.zz));
     Real q = s / largest;
-    if (trace(out.inv_inertia, swing.at_arms) > resolved)
-        q = std::max(q, largest_eigenvalue(out.inv_inertia, swing.at_arms));
+    if (easily) q = std::max(q, largest_eigenvalue(out.inv_inertia, swing.at_arms));
     if (!(q > resolved)) return 0;
     const Real k = std::min(1 - resolved / q, kMaxRaise * largest / s);
     I.xx += k * S.xx, I.yy += k * S.yy, I.zz += k * S.zz;
@@ -129,34 +130,41 @@ Real raise(const Body& body, SolverBody& out, const Swing& swing, Real resolved)
 // Sums S of the bodies, which are made when the first joint needs them.
 class Swings {
   public:
-    Swings(const IslandWork& work, Real h, Arena& arena) : work_(work), h_(h), arena_(arena) {}
+    Swings(const IslandWork& work, Real h, Real resolved, Arena& arena)
+        : work_(work), h_(h), least_(resolved / 4), arena_(arena)
+    {}
 
     void add(int body, const Load& load, Real arm2, Vec3 arm)
     {
-        if (body < 0 || !matters(std::size_t(body), load.P, arm2, arm)) return;
+        if (body < 0) return;
+        const auto at = std::size_t(body);
+        const Real moment2 = h_ * h_ * length2(load.P) * arm2;
+        const bool easily = turns_easily(work_.system.bodies[at].inv_inertia, moment2, load.P, arm);
+        if (!easily && !matters(*work_.island.bodies[at], moment2)) return;
         if (S_.empty()) S_ = arena_.take_zeroed<Swing>(int(work_.system.bodies.size()));
         if (S_.empty()) return;
-        Swing& swing = S_[std::size_t(body)];
-        add_swing(swing.S, load.P, h_ * length(load.P) * std::sqrt(arm2)), ++swing.loads;
-        add_swing(swing.at_arms, arm, h_ * std::fabs(dot(load.P, arm)));
+        Swing& swing = S_[at];
+        add_swing(swing.S, load.P, std::sqrt(moment2)), ++swing.loads;
+        if (easily) add_swing(swing.at_arms, arm, h_ * std::fabs(dot(load.P, arm)));
     }
     std::span<const Swing> sums() const { return S_; }
 
   private:
-    // A quarter of what would raise the inertia.
-    bool matters(std::size_t body, Vec3 P, Real arm2, Vec3 arm) const
+    // A quarter of what would raise the inertia: by the largest moment, and at right angles to the arm.
+    static bool matters(const Body& body, Real moment2)
     {
-        const Real moment2 = h_ * h_ * length2(P) * arm2,
-                   quarter = trace(work_.island.bodies[body]->inertia) / 12;
-        if (moment2 > quarter * quarter) return true;
-        const Sym3& easily = work_.system.bodies[body].inv_inertia;
-        const Real all = trace(easily), size2 = length2(arm);
-        if (!(moment2 * all * all > Real(1) / 16) || !(size2 > 0)) return false;
-        return h_ * std::fabs(dot(P, arm)) * (all - dot(arm, easily * arm) / size2) > Real(0.25);
+        const Real quarter = trace(body.inertia) / 12;
+        return moment2 > quarter * quarter;
+    }
+    bool turns_easily(const Sym3& inverse, Real moment2, Vec3 P, Vec3 arm) const
+    {
+        const Real all = trace(inverse), size2 = length2(arm);
+        if (!(moment2 * all * all > least_ * least_) || !(size2 > 0)) return false;
+        return h_ * std::fabs(dot(P, arm)) * (all - dot(arm, inverse * arm) / size2) > least_;
     }
 
     const IslandWork& work_;
-    Real h_;
+    const Real h_, least_;
     Arena& arena_;
     std::span<Swing> S_;
 };
@@ -185,9 +193,9 @@ void calm(const IslandWork& work, std::span<SolverBody> bodies, std::span<Raised
 
 }  // namespace
 
-std::span<const Swing> find_swings(const IslandWork& work, Real h, Arena& arena)
+std::span<const Swing> find_swings(const IslandWork& work, Real h, Real resolved, Arena& arena)
 {
-    Swings swings(work, h, arena);
+    Swings swings(work, h, resolved, arena);
     for (std::size_t k = 0; k < work.joints.size(); ++k) {
         const RowBlock& block = work.system.blocks[k];
         const Joint& joint = *work.joints[k];
@@ -204,7 +212,7 @@ int add_tension(const IslandWork& work, std::span<SolverBody> bodies, Real h, Re
                 std::span<bool> marks)
 {
     Arena::Scope scope(arena);
-    const std::span<const Swing> swings = find_swings(work, h, arena);
+    const std::span<const Swing> swings = find_swings(work, h, resolved, arena);
     if (swings.empty()) return 0;
     const std::span<Raised> raised = arena.take_zeroed<Raised>(int(bodies.size()));
     if (raised.empty()) return 0;

@@ -25,7 +25,7 @@ struct Swing {
 
 // By body of the island, where the impulses that its joints remember of the last step or substep are a quarter of what would raise an
 // inertia; empty: no body's are, or out of memory.
-std::span<const Swing> find_swings(const IslandWork& work, Real h, Arena& arena);
+std::span<const Swing> find_swings(const IslandWork& work, Real h, Real resolved, Arena& arena);
 
 // Raises the inertia of `bodies`, which are those of the island in its order, where the impulses that its
 // joints remember of the last step or substep of length h are too stiff for it. Returns how many it has raised; marks
