@@ -16,11 +16,12 @@ def test_kinds_are_those_of_the_headers():
     """Each class has a name for every number of the C enumeration that its text names."""
     numbers = {name: value for name, value in vars(c).items() if type(value) is int and re.match(r"d[A-Z]", name)}
     classes = [one for _, one in inspect.getmembers(epode, inspect.isclass) if issubclass(one, enum.IntEnum | enum.IntFlag)]
-    assert len(classes) == 13
+    assert len(classes) == 15
     prefixes = {"EventKind": r"dEvent(?!Gone)", "EventGone": "dEventGone", "ContactEventKind": "dContact(?=Begin|Persist|End)",
                 "CombineRule": "dCombine", "CauseKind": "dDiagnosis", "Severity": "dSeverity", "IslandMethod": "dIslandMethod",
                 "Behaviour": "dBehaviour", "Falloff": "dFalloff", "CharacterState": "dCharacter(?=InAir|OnSteep|OnGround)",
-                "VehicleKind": "dVehicle(?=Car|Bike|Tracked)", "WheelCast": "dWheel(?=Ray|Sphere|Cylinder)", "Differential": "dDifferential"}
+                "VehicleKind": "dVehicle(?=Car|Bike|Tracked)", "WheelCast": "dWheel(?=Ray|Sphere|Cylinder)", "Differential": "dDifferential",
+                "BoneJoint": "dBone(?=Hinge|Universal|Ball|Fixed)", "RopeEnds": "dRope(?=Loose|From|To|Both)"}
     for one in classes:
         wanted = {value for name, value in numbers.items() if re.match(prefixes[one.__name__], name)}
         if one.__name__ == "CharacterState":
