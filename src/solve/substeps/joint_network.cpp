@@ -40,7 +40,7 @@ bool JointNetwork::analyse(const RowSystem& system, SymbolicCache* symbolic_cach
     if (!forest_.build(system, joints_, arena)) return false;
     if (forest_.is_forest()) return find_trees(arena);
     groups_ = arena.take<Group>(1);
-    if (!list_joints(system, kPieceRows, arena)) return false;
+    if (!list_joints(system, JointLoops::kMaxRows, arena)) return false;
     if (!loops_.build(system, joints_, symbolic_cache, arena)) return false;
     groups_.front() = {0, int(joints_.size()), true};
     worth_ = loops_.worth();
