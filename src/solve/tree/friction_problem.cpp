@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "math/hypotenuse.h"
 
 namespace epode {
 namespace {
 
-constexpr int kRounds = 6, kPasses = 12, kSweeps = 25;
+constexpr int kRounds = 8, kPasses = 12, kSweeps = 6;
+constexpr int kPatience = 3;  // passes in the first round that do not halve the error: states go round
+
+constexpr double kMostWork = 4e6;  // unknowns cubed, of all systems: what the rows of bodies take
 
 }  // namespace
 
@@ -19,7 +23,7 @@ bool FrictionProblem::prepare(int rows, Arena& arena)
     n_ = rows;
     A_ = arena.take<double>(rows * rows), K_ = arena.take<double>(rows * rows);
     b_ = arena.take<double>(rows), w_ = arena.take<double>(rows), x_ = arena.take<double>(rows);
-    column_ = arena.take<double>(rows);
+    column_ = arena.take<double>(rows), limits_ = arena.take<double>(rows);
     p_ = arena.take_zeroed<double>(rows), direction_ = arena.take_zeroed<double>(rows);
     rows_ = arena.take<FrictionRow>(rows), states_ = arena.take<State>(rows);
     unknowns_ = arena.take<Unknown>(rows);
@@ -28,6 +32,7 @@ bool FrictionProblem::prepare(int rows, Arena& arena)
 
 double FrictionProblem::limit(const FrictionRow& row) const
 {
+    if (frozen_) return limits_[std::size_t(row.parent)] * row.hi;
     const double normal = std::max(p_[std::size_t(row.parent)], 0.0);
     return normal > 0 ? row.hi * normal : 0;  // not infinity times 0
 }
@@ -37,13 +42,26 @@ bool FrictionProblem::solve(double scale, double wanted, double enough)
     scale_ = scale, systems_ = 0;
     evaluate();
     begin_states();
-    for (int round = 0; round < kRounds; ++round) {
-        if (iterate(kPasses, wanted)) return true;
-        sweep(kSweeps);
+    work_ = 0;
+    for (int round = 0; round < kRounds && work_ < kMostWork; ++round) {
+        if (iterate(kPasses, kPatience + 2 * round, wanted)) return true;
+        sweep(kSweeps << std::min(round, 3));
         begin_states();
+        if (round > 0) iterate_frozen();
     }
     measure();
     return residual_ <= wanted && friction_error_ <= enough;
+}
+
+// With the bounds of friction that the present normals give, as a convex problem.
+void FrictionProblem::iterate_frozen()
+{
+    for (int i = 0; i < n_; ++i) limits_[std::size_t(i)] = std::max(p_[std::size_t(i)], 0.0);
+    frozen_ = true;
+    iterate(kPasses, kPatience, 0);
+    frozen_ = false;
+    evaluate();
+    begin_states();
 }
 
 FrictionProblem::State FrictionProblem::state_of(int i) const
@@ -95,27 +113,33 @@ bool FrictionProblem::update_states()
     return changed;
 }
 
-bool FrictionProblem::iterate(int passes, double wanted)
+bool FrictionProblem::iterate(int passes, int patience, double wanted)
 {
-    for (int pass = 0; pass < passes; ++pass) {
+    double best = std::numeric_limits<double>::infinity();
+    for (int pass = 0, stalled = 0; pass < passes && stalled < patience && work_ < kMostWork; ++pass) {
         choose_unknowns();
         if (!solve_unknowns()) return false;
         evaluate();
         measure();
-        if (residual_ <= wanted && friction_error_ <= wanted) return true;
+        const double worst = std::max(residual_, friction_error_);
+        if (worst <= wanted) return true;
+        stalled = worst < 0.5 * best ? 0 : stalled + 1;
+        best = std::min(best, worst);
         update_states();
     }
     return false;
 }
 
+FrictionProblem::Unknown& FrictionProblem::add_unknown(int row)
+{
+    Unknown& its = unknowns_[std::size_t(unknown_count_++)];
+    its = {row, 1, {row, 0, 0}, {1, 0, 0}, false, 0};
+    return its;
+}
+
 void FrictionProblem::choose_unknowns()
 {
     unknown_count_ = 0;
-    const auto add = [&](int row) -> Unknown& {
-        Unknown& its = unknowns_[std::size_t(unknown_count_++)];
-        its = {row, 1, {row, 0, 0}, {1, 0, 0}, false, 0};
-        return its;
-    };
     int of_parent = -1;  // its unknown
     for (int i = 0; i < n_; ++i) {
         const auto at = std::size_t(i);
@@ -123,22 +147,14 @@ void FrictionProblem::choose_unknowns()
         const State state = states_[at];
         if (row.parent < 0) of_parent = -1;
         if (state == State::kFree) {
-            add(i);
+            add_unknown(i);
             if (row.parent < 0) of_parent = unknown_count_ - 1;
         } else if (state != State::kTied) {
             p_[at] = state == State::kLow ? row.lo : state == State::kHigh ? row.hi : 0;
         } else if (row.disc) {
-            const double d[2] = {direction_[at], direction_[at + 1]}, L = limit(row);
-            const double speed = std::max(-(w_[at] * d[0] + w_[at + 1] * d[1]), 0.0);
-            if (of_parent >= 0) {
-                Unknown& n = unknowns_[std::size_t(of_parent)];
-                for (int k = 0; k < 2 && n.count < 3; ++k)
-                    n.at[n.count] = i + k, n.factor[n.count++] = row.hi * d[k];
-            }
-            Unknown& c = add(i);
-            c = {i, 2, {i, i + 1, 0}, {-d[1], d[0], 0}, true, L > 0 ? speed / L : 0};
+            tie_disc(i, of_parent);
             ++i;
-        } else if (of_parent >= 0 && unknowns_[std::size_t(of_parent)].count < 3) {
+        } else if (!frozen_ && of_parent >= 0 && unknowns_[std::size_t(of_parent)].count < 3) {
             Unknown& n = unknowns_[std::size_t(of_parent)];
             n.at[n.count] = i, n.factor[n.count++] = row.hi * direction_[at];
         } else {  // more rows than fit are bounded by the present normal
@@ -147,11 +163,29 @@ void FrictionProblem::choose_unknowns()
     }
 }
 
+void FrictionProblem::tie_disc(int i, int of_parent)
+{
+    const auto at = std::size_t(i);
+    const FrictionRow& row = rows_[at];
+    const double d[2] = {direction_[at], direction_[at + 1]}, L = limit(row);
+    if (frozen_) {
+        p_[at] = L * d[0], p_[at + 1] = L * d[1];
+        return;
+    }
+    const double speed = std::max(-(w_[at] * d[0] + w_[at + 1] * d[1]), 0.0);
+    if (of_parent >= 0) {
+        Unknown& n = unknowns_[std::size_t(of_parent)];
+        for (int k = 0; k < 2 && n.count < 3; ++k) n.at[n.count] = i + k, n.factor[n.count++] = row.hi * d[k];
+    }
+    Unknown& c = add_unknown(i);
+    c = {i, 2, {i, i + 1, 0}, {-d[1], d[0], 0}, true, L > 0 ? speed / L : 0};
+}
+
 // E^T A G x = -E^T (b + A p of rows that no unknown moves)
 bool FrictionProblem::solve_unknowns()
 {
     const int m = unknown_count_;
-    ++systems_;
+    ++systems_, work_ += double(m) * m * m;
     for (int u = 0; u < m; ++u)
         for (int k = 0; k < unknowns_[std::size_t(u)].count; ++k)
             p_[std::size_t(unknowns_[std::size_t(u)].at[k])] = 0;

@@ -11,7 +11,8 @@
 // Semismooth Newton (Alart & Curnier, "A mixed formulation for frictional contact problems", 1991) from the states that the impulses
 // of the last step suggest: rows at a bound keep it, friction on its rim is tied to its normal, p_t = mu p_n d + p_c c, with the
 // direction d that p_t - w_t / A has, and across it w_c + (s / mu p_n) p_c = 0; one linear system gives all others. Where states do not
-// settle, Gauss-Seidel sweeps with projections choose them again. Steady contacts take one system.
+// settle within some systems, Gauss-Seidel sweeps with projections choose them again, and systems with friction's bounds kept at those of
+// the present normals, which are convex. Steady contacts take one system.
 #pragma once
 
 #include <span>
@@ -57,8 +58,11 @@ class FrictionProblem {
     };
 
     void begin_states();
-    bool iterate(int passes, double wanted);
+    void iterate_frozen();
+    bool iterate(int passes, int patience, double wanted);
+    Unknown& add_unknown(int row);
     void choose_unknowns();
+    void tie_disc(int i, int of_parent);
     bool solve_unknowns();
     bool eliminate(int n);
     void evaluate();
@@ -69,8 +73,10 @@ class FrictionProblem {
     State state_of(int i) const;
 
     int n_ = 0, systems_ = 0;
-    double scale_ = 1, residual_ = 0, friction_error_ = 0;
+    double scale_ = 1, work_ = 0, residual_ = 0, friction_error_ = 0;
     std::span<double> A_, b_, p_, w_, K_, x_, column_, direction_;  // direction_: of a disc at its two rows
+    std::span<double> limits_;  // normals that bound friction while it is frozen
+    bool frozen_ = false;
     std::span<FrictionRow> rows_;
     std::span<State> states_;
     std::span<Unknown> unknowns_;
