@@ -15,6 +15,7 @@
 #include "bench/problems/pile.h"
 #include "bench/runs/asleep.h"
 #include "bench/runs/hybrid.h"
+#include "bench/runs/loaded_robot.h"
 #include "bench/runs/scene_bench.h"
 #include "bench/runs/scene_run.h"
 #include "bench/runs/state.h"
@@ -191,6 +192,17 @@ CLI::App* add_hybrid(CLI::App& app, epode::bench::HybridOptions& options)
     return command;
 }
 
+CLI::App* add_robot(CLI::App& app, epode::bench::LoadedRobotOptions& options)
+{
+    CLI::App* command = app.add_subcommand("robot", "steps of a robot's file in the robot preset");
+    command->add_option("file", options.file, "URDF or MJCF")->required();
+    command->add_option("--steps", options.steps, "that are timed (default 1000)")
+        ->check(CLI::Range(1, 1'000'000));
+    command->add_flag("--no-quality", options.no_quality, "times alone");
+    command->add_option("--h", options.h, "size of a step, s (default 0.002)")->check(CLI::Range(1e-6, 1.0));
+    return command;
+}
+
 // Of benchmark scenes: run, export, judge.
 void add_scene_choice(CLI::App& command, epode::bench::SceneChoice& choice)
 {
@@ -311,6 +323,8 @@ int main(int argc, char** argv)
     CLI::App* asleep_command = add_asleep(app, asleep);
     epode::bench::HybridOptions hybrid;
     CLI::App* hybrid_command = add_hybrid(app, hybrid);
+    epode::bench::LoadedRobotOptions robot;
+    CLI::App* robot_command = add_robot(app, robot);
     epode::bench::SceneRunOptions run;
     CLI::App* run_command = add_run(app, run);
     epode::bench::SceneChoice exported;
@@ -358,6 +372,7 @@ int main(int argc, char** argv)
     if (*state_command) return epode::bench::bench_state(state);
     if (*asleep_command) return epode::bench::bench_asleep(asleep);
     if (*hybrid_command) return epode::bench::bench_hybrid(hybrid);
+    if (*robot_command) return epode::bench::bench_loaded_robot(robot);
     if (*make_pile) return epode::bench::print_pile(pile.count, pile.side, pile.rows, pile.seed);
     return epode::bench::bench_scene(options);
 }
