@@ -36,10 +36,10 @@ bool moves(const RowSystem& system, int body)
 bool JointTree::build(const RowSystem& system, std::span<const Vec3> centres,
                       std::span<const LinkJoint> kinds, Arena& arena)
 {
-    is_tree_ = false;
+    fits_ = false;
     if (int(system.bodies.size()) > kMaxLinks) return true;
     if (!take_memory(system, arena)) return false;
-    count_ = dofs_ = branches_ = 0;
+    count_ = dofs_ = 0;
     collect_edges(system, kinds);
     hang_on_world(system, kinds);
     int done = 0;
@@ -54,12 +54,10 @@ bool JointTree::build(const RowSystem& system, std::span<const Vec3> centres,
         add_link(root, -1, -1, LinkJoint::kFree, true);
         grow(system, kinds, done);
     }
-    const auto held =
-        std::count_if(kinds.begin(), kinds.end(), [](LinkJoint k) { return k != LinkJoint::kNone; });
-    if (branches_ != int(held) || dofs_ > kMaxDofs) return true;
+    if (dofs_ > kMaxDofs) return true;
     links_ = links_.first(std::size_t(count_)), motions_ = motions_.first(std::size_t(dofs_));
     place(system, centres);
-    is_tree_ = true;
+    fits_ = true;
     return true;
 }
 
@@ -101,7 +99,6 @@ bool JointTree::add_link(int body, int parent, int block, LinkJoint joint, bool 
             .from_root = {},
             .anchor = {}};
     link_of_body_[std::size_t(body)] = count_++;
-    branches_ += block >= 0;
     int last = parent < 0 ? -1 : links_[std::size_t(parent)].last;
     for (int i = 0; i < link.count; ++i, ++dofs_) {
         up_[std::size_t(dofs_)] = last,
@@ -136,6 +133,16 @@ void JointTree::grow(const RowSystem& system, std::span<const LinkJoint> kinds, 
                 add_link(other, done, e / 2, kinds[std::size_t(e / 2)], e % 2 == 1);
         }
     }
+}
+
+const TreeLink* JointTree::branch(const RowSystem& system, int block) const
+{
+    const RowBlock& its = system.blocks[std::size_t(block)];
+    for (const int body : {its.body1, its.body2}) {
+        const int at = link_of_body(body);
+        if (at >= 0 && link(at).block == block) return &link(at);
+    }
+    return nullptr;
 }
 
 void JointTree::place(const RowSystem& system, std::span<const Vec3> centres)

@@ -55,15 +55,17 @@ class JointTree {
   public:
     static constexpr int kMaxLinks = 128, kMaxDofs = 192;
 
-    // Of the bodies at these centres; kinds: of each block, what it leaves free, or kNone if it holds no link. False: out of memory. If
-    // the joints make loops, or there is too much of them, is_tree() is false.
+    // Of the bodies at these centres; kinds: of each block, what it leaves free, or kNone if it holds no link. Where joints make loops,
+    // one of each loop is no branch. False: out of memory. If there is too much of them, fits() is false.
     bool build(const RowSystem& system, std::span<const Vec3> centres, std::span<const LinkJoint> kinds,
                Arena& arena);
-    bool is_tree() const { return is_tree_; }
+    bool fits() const { return fits_; }
 
     std::span<const TreeLink> links() const { return links_; }
     const TreeLink& link(int i) const { return links_[std::size_t(i)]; }
     int link_of_body(int body) const { return body < 0 ? -1 : link_of_body_[std::size_t(body)]; }
+    // The link that this block of the system holds as a joint of the tree; null: none.
+    const TreeLink* branch(const RowSystem& system, int block) const;
     int dofs() const { return int(motions_.size()); }
     const Spatial& motion(int dof) const { return motions_[std::size_t(dof)]; }
     // The next dof towards the root, -1: none; and how many there are up to there.
@@ -97,8 +99,8 @@ class JointTree {
     std::span<Spatial> motions_, scratch_;
     std::span<int> up_, depth_, link_of_body_;
     std::span<int> edge_of_body_, next_edge_;  // 2 k and 2 k + 1: of body 1 and body 2 of block k; -1: none
-    int count_ = 0, dofs_ = 0, branches_ = 0;
-    bool is_tree_ = false;
+    int count_ = 0, dofs_ = 0;
+    bool fits_ = false;
 };
 
 }  // namespace epode

@@ -13,18 +13,23 @@
 #pragma once
 
 #include "solve/solver.h"
+#include "solve/tree/dense_factor.h"
 #include "solve/tree/friction_problem.h"
 #include "solve/tree/joint_tree.h"
 #include "solve/tree/tree_factor.h"
 
 namespace epode {
 
+// Of A_ii: the least compliance of rows that close loops, which hold a link twice where the loop is plane.
+inline constexpr double kRedundant = sizeof(Real) == 8 ? 1e-12 : 1e-7;
+
 class TreeSolve {
   public:
     static constexpr int kMaxRows = 120;  // besides those of joints and those that yield
 
-    // False: out of memory. Of a tree (JointTree::build) with the system's v* in its bodies.
-    bool prepare(RowSystem& system, const JointTree& tree, Arena& arena);
+    // False: out of memory. Of a tree (JointTree::build) with the system's v* in its bodies. closing: of each row of the system, whether it
+    // holds a joint together that is no branch.
+    bool prepare(RowSystem& system, const JointTree& tree, std::span<const bool> closing, Arena& arena);
     bool fits() const { return fits_; }  // false: there are too many rows
 
     // Is no eigenvalue of H^-1 T^T S T above that one? S, of links: what a step adds to moments of inertia, which moves no centre. Behind
@@ -36,6 +41,7 @@ class TreeSolve {
 
     const JointTree& tree() const { return *tree_; }
     std::span<const double> u() const { return u_; }
+    std::span<const double> solution() const { return solved_; }  // u before it was corrected
     // Three dofs of a root that is free.
     void add_to_root(const TreeLink& root, Vec3 dv)
     {
@@ -44,9 +50,13 @@ class TreeSolve {
     // v = T u to the bodies.
     void store_velocities();
 
-    // With the rows that act kept as they move, J du + C dp = 0: u += du of H du = r + sum j dp, and dp to their p, by an iteration
+    // With the rows that act kept as they move, J du + C dp = 0, or the excess that is set of a row: u += du of H du = r + sum j dp, and dp to their p, by an iteration
     // that is extrapolated from the last ones. `r` is destroyed. Returns the largest du.
     bool prepare_corrections(Arena& arena);  // false: rows contradict each other, or out of memory
+    void set_excess(int source, double rate)
+    {
+        if (const int i = row_of_source_[std::size_t(source)]; i >= 0) excess_[std::size_t(i)] = rate;
+    }
     double correct(std::span<double> r);
     // r -= j (j . (u - u of the solution)) / C of the rows that yield.
     void add_yield(std::span<double> r) const;
@@ -70,6 +80,9 @@ class TreeSolve {
     void add_yields_to(TreeFactor& factor) const;
     void add_yield_momentum(std::span<const double> rates, std::span<double> g) const;
 
+    // j of a row of the tree as it is placed now.
+    void jacobian(const RowBlock& block, const Jacobian& row, std::span<double> j) const;
+
   private:
     struct TreeRow {
         int source;  // of the system
@@ -87,7 +100,6 @@ class TreeSolve {
     bool is_joint_of(int link, int parent) const;
     bool is_disc(int i) const;
     void make_disc(int i);
-    void jacobian(const RowBlock& block, const Row& row, std::span<double> j) const;
     void add_chain(int link, const Spatial& f, std::span<double> j) const;
     void add_own(const TreeLink& link, const Spatial& f, std::span<double> j) const;
     Spatial on_body(int link, Vec3 force, Vec3 torque) const;
@@ -114,7 +126,9 @@ class TreeSolve {
     std::span<TreeRow> rows_;
     std::span<Yield> yields_;
     std::span<int> row_of_source_;
-    std::span<double> u_, z_, solved_, Y_, acting_factor_, corrected_;  // corrected_: sum of y dp
+    std::span<const bool> closing_;
+    DenseFactor acting_factor_;
+    std::span<double> u_, z_, solved_, Y_, excess_, corrected_;  // excess_: by row; corrected_: sum of y dp
     // Corrections z and p before and after extrapolation, the last one first, and their changes.
     std::span<double> correction_, step_, steps_[kHistory], changes_[kHistory];
     int history_ = 0;

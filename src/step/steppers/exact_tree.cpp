@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 #include "step/steppers/exact_tree.h"
 
+#include "step/island/positions/position_rows.h"
 #include "step/island/positions/tension.h"
 #include "step/island/report.h"
 #include "step/island/tree/tree_motion.h"
@@ -55,10 +56,12 @@ class TreeRun {
         if (arena_.failed()) return TreeOutcome::kNoMemory;
         for (std::size_t i = 0; i < centres.size(); ++i) centres[i] = work_.island.bodies[i]->position();
         if (!tree_.build(system_, centres, kinds_, arena_)) return TreeOutcome::kNoMemory;
-        if (!tree_.is_tree()) return TreeOutcome::kNotInTree;
-        if (!motion_.begin(run_.world, work_, tree_, solve_, arena_)) return TreeOutcome::kNoMemory;
+        if (!tree_.fits()) return TreeOutcome::kNotInTree;
+        if (!closing_.begin(run_.world, work_, tree_, arena_)) return TreeOutcome::kNoMemory;
+        if (closing_.size() > rows_of_branches()) return TreeOutcome::kNotInTree;
+        if (!motion_.begin(run_.world, work_, tree_, solve_, closing_, arena_)) return TreeOutcome::kNoMemory;
         if (motion_.is_too_long()) return TreeOutcome::kNotInTree;
-        if (!solve_.prepare(system_, tree_, arena_)) return TreeOutcome::kNoMemory;
+        if (!solve_.prepare(system_, tree_, closing_.flags(), arena_)) return TreeOutcome::kNoMemory;
         if (!solve_.fits()) return TreeOutcome::kNotInTree;
         if (!resolves_swings()) return failed(TreeOutcome::kNotInTree);
         SolveReport report;
@@ -90,6 +93,14 @@ class TreeRun {
         return solve_.resolves(of_links, double(kResolvedExactly));
     }
 
+    // That joint coordinates leave out.
+    int rows_of_branches() const
+    {
+        int sum = 0;
+        for (const TreeLink& link : tree_.links()) sum += lock_rows(link.joint);
+        return sum;
+    }
+
     bool choose_kinds()
     {
         for (const Body* body : work_.island.bodies) {
@@ -100,27 +111,32 @@ class TreeRun {
         if (arena_.failed()) return false;
         bool any = false;
         for (std::size_t k = 0; k < kinds_.size(); ++k) {
+            if (!is_held_by_still_bodies(system_.blocks[k])) return false;
             kinds_[k] = kind_of(*work_.joints[k]);
-            if (!is_of_kind(system_.blocks[k], kinds_[k])) return false;
+            if (!is_of_kind(system_.blocks[k], kinds_[k])) kinds_[k] = LinkJoint::kNone;
             any |= kinds_[k] != LinkJoint::kNone;
         }
         return any;
     }
 
-    // The rows that hold the joint do so, and no others hold anything.
+    // What a kinematic body that moves holds would have to move with it.
+    bool is_held_by_still_bodies(const RowBlock& block) const
+    {
+        if (block.term_count > 0 || (is_still(system_, block.body1) && is_still(system_, block.body2)))
+            return true;
+        const auto rows = system_.rows.subspan(std::size_t(block.first), std::size_t(block.count));
+        return std::none_of(rows.begin(), rows.end(), is_equality);
+    }
+
+    // Do its first rows hold the joint?
     bool is_of_kind(const RowBlock& block, LinkJoint kind) const
     {
-        const int locks = lock_rows(kind);
-        if (kind != LinkJoint::kNone && (!is_still(system_, block.body1) || !is_still(system_, block.body2)))
-            return false;
         const Real arms = length(block.arms.r1) + length(block.arms.r2) + kLeastArm;
-        for (int i = 0; i < block.count; ++i) {
-            const Row& row = system_.rows[std::size_t(block.first + i)];
-            if (i < locks ? !is_rigid_and_closed(row, arms, run_.world.projection_tolerance)
-                          : !block.contact && row.kind == RowKind::kLock && !row.drive)
+        for (int i = 0; i < std::min(block.count, lock_rows(kind)); ++i)
+            if (!is_rigid_and_closed(system_.rows[std::size_t(block.first + i)], arms,
+                                     run_.world.projection_tolerance))
                 return false;
-        }
-        return true;
+        return block.count >= lock_rows(kind);
     }
 
     TreeOutcome finish()
@@ -148,6 +164,7 @@ class TreeRun {
     Arena& arena_;
     std::span<LinkJoint> kinds_;
     JointTree tree_;
+    ClosingRows closing_;
     TreeSolve solve_;
     TreeMotion motion_;
 };

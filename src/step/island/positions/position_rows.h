@@ -43,6 +43,12 @@ inline bool is_equality(const Row& row)
     return row.kind == RowKind::kLock && row.lo == -kInf && row.hi == kInf && !row.drive;
 }
 
+// The same of a joint that is rigid there: what SHAKE closes (shake.h).
+inline bool is_closed(const Row& row, const RowBlock& block, const RowSystem& system)
+{
+    return !block.contact && is_equality(row) && !row.given && !is_spring(row, block, system);
+}
+
 inline bool turns_only(const Row& row) { return row.lin1 == Vec3{} && row.lin2 == Vec3{}; }
 
 // The longest lever arm of the rows of a block of the step, or the rod's length, but not less than its bodies' radius of gyration.

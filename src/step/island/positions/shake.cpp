@@ -110,7 +110,7 @@ class Shake {
                 const auto source = std::size_t(block.first + i);
                 const Row& row = work_.system.rows[source];
                 if (!acts(work_.system.numbers[source])) continue;
-                if (is_closed(row, block))
+                if (is_closed(row, block, work_.system))
                     closed_[closed++] = {
                         k, i, int(count), turns_only(row) ? Real(1) : per_arm, expected_error(row, block), 0};
                 sources_[count] = int(source), system_.rows[count] = row;
@@ -123,11 +123,6 @@ class Shake {
         }
         system_.rows = system_.rows.first(count), system_.numbers = system_.numbers.first(count);
         system_.blocks = system_.blocks.first(blocks), closed_ = closed_.first(closed);
-    }
-
-    bool is_closed(const Row& row, const RowBlock& block) const
-    {
-        return !block.contact && is_equality(row) && !row.given && !is_spring(row, block, work_.system);
     }
 
     Real expected_error(const Row& row, const RowBlock& block) const

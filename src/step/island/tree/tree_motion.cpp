@@ -8,6 +8,7 @@
 #include "dynamics/exact_spin.h"
 #include "step/island/positions/free_momentum.h"
 #include "step/island/positions/position_rows.h"
+#include "step/island/positions/solved_motion.h"
 
 namespace epode {
 namespace {
@@ -16,12 +17,15 @@ constexpr Real kLongestTurn = 2;  // rad in a step, up to which the turn of a fr
 constexpr int kMaxIterations = 24;
 constexpr double kEnough = kSingle ? 1e-6 : 1e-10;  // rad and m, of a correction that is left out
 constexpr double kSlow = 0.9;                       // times the last correction: it converges no more
+constexpr Real kLongestOpening =
+    Real(0.02);  // of a loop's joint in a step, relative to its lever, as in shake.cpp
 
 }  // namespace
 
-bool TreeMotion::begin(const World& world, IslandWork& work, JointTree& tree, TreeSolve& solve, Arena& arena)
+bool TreeMotion::begin(const World& world, IslandWork& work, JointTree& tree, TreeSolve& solve,
+                       ClosingRows& closing, Arena& arena)
 {
-    world_ = &world, work_ = &work, tree_ = &tree, solve_ = &solve, arena_ = &arena;
+    world_ = &world, work_ = &work, tree_ = &tree, solve_ = &solve, closing_ = &closing, arena_ = &arena;
     size_ = tree.links().size();
     const int links = int(size_), n = tree.dofs();
     before_ = arena.take<Spatial>(links), bias_ = arena.take<Spatial>(links);
@@ -70,10 +74,19 @@ bool TreeMotion::find_way()
     }
     tree_->gather(scratch_, momentum_);
     if (!solve_->prepare_corrections(*arena_)) return false;
+    closing_->expect();
+    if (iterate() && !is_thrown_by_closing()) return true;
+    closing_->restore_poses();
+    return false;
+}
+
+bool TreeMotion::iterate()
+{
     double last = double(kInf);
     for (int pass = 0; pass < kMaxIterations; ++pass) {
         measure_momenta(solve_->u());
         if (too_long_) return false;
+        if (!closing_->none() && !(closing_->measure(poses_, *solve_) <= kLongestOpening)) return false;
         std::copy(momenta_.begin(), momenta_.end(), scratch_.begin());
         tree_->gather(scratch_, r_);
         for (std::size_t k = 0; k < r_.size(); ++k) r_[k] = momentum_[k] - r_[k];
@@ -92,42 +105,54 @@ bool TreeMotion::find_way()
     return !too_long_;
 }
 
+// Near a dead centre levers would have to fly to close a loop.
+bool TreeMotion::is_thrown_by_closing()
+{
+    if (closing_->none()) return false;
+    SolvedMotion solved, closed;
+    tree_->velocities(solve_->solution(), scratch_);
+    for (std::size_t i = 0; i < size_; ++i) {
+        const SolverBody& b = solver_body(i);
+        const auto energy = [&](const Spatial& v) {
+            return 0.5 * double(b.mass * length2(v.lin) + dot(v.ang, b.inertia * v.ang));
+        };
+        solved.energy += energy(scratch_[i]), solved.mass += double(b.mass),
+            closed.energy += energy(path_[i]);
+    }
+    return is_thrown(solved, closed);
+}
+
 void TreeMotion::advance()
 {
     poses_.go_and_close(dq_);
     store_poses();
 }
 
-// Of free trees on nothing: what the iteration has left of it.
+// Of free trees on nothing: what the iteration has left of it. Trees of one island are held together by rows.
 void TreeMotion::keep_momentum()
 {
-    const auto is_inner = [](const RowBlock& b) { return !b.contact && b.term_count == 0 && b.body2 >= 0; };
+    const auto is_inner = [&](const RowBlock& b) {
+        return !b.contact && b.term_count == 0 && tree_->link_of_body(b.body1) >= 0 &&
+               tree_->link_of_body(b.body2) >= 0;
+    };
     if (!std::all_of(work_->system.blocks.begin(), work_->system.blocks.end(), is_inner)) return;
-    for (std::size_t root = 0; root < size_; ++root) {
-        const TreeLink& its = tree_->link(int(root));
+    Real mass = 0;
+    Vec3 lost;
+    for (std::size_t i = 0; i < size_; ++i)
+        mass += solver_body(i).mass, lost += before_[i].lin - momenta_[i].lin;
+    const Vec3 dv = (1 / mass) * lost;
+    for (std::size_t i = 0; i < size_; ++i) {
+        momenta_[i].lin += solver_body(i).mass * dv, path_[i].lin += dv;
+        const TreeLink& its = tree_->link(int(i));
         if (its.joint != LinkJoint::kFree) continue;
-        Real mass = 0;
-        Vec3 lost;
-        const auto for_its = [&](auto&& use) {
-            for (std::size_t i = root; i < size_; ++i)
-                if (tree_->link(int(i)).root == int(root)) use(i);
-        };
-        for_its(
-            [&](std::size_t i) { mass += solver_body(i).mass, lost += before_[i].lin - momenta_[i].lin; });
-        const Vec3 dv = (1 / mass) * lost;
-        for_its([&](std::size_t i) { momenta_[i].lin += solver_body(i).mass * dv, path_[i].lin += dv; });
-        for (int i = 0; i < 3; ++i) dq_[std::size_t(its.first + i)] += double(work_->system.h * dv[i]);
+        for (int k = 0; k < 3; ++k) dq_[std::size_t(its.first + k)] += double(work_->system.h * dv[k]);
         solve_->add_to_root(its, dv);
     }
 }
 
 void TreeMotion::store_poses() const
 {
-    for (std::size_t i = 0; i < size_; ++i) {
-        Body& b = body(i);
-        store(b.pos, poses_.position(int(i))), store_quat(b.q, poses_.orientation(int(i)));
-        store_mat(b.R, to_matrix(poses_.orientation(int(i))));
-    }
+    for (std::size_t i = 0; i < size_; ++i) poses_.store(int(i), body(i));
 }
 
 // What is left of a row's error where the step ends, to first order in its motion; as in projection.cpp.
@@ -141,8 +166,8 @@ Real TreeMotion::gap(const RowBlock& block, const Row& row, std::size_t k) const
 
 Real TreeMotion::find_gaps(std::span<double> errors) const
 {
-    Real worst = 0;
     std::fill(errors.begin(), errors.end(), -double(kInf));
+    Real worst = closing_->find_gaps(errors);
     const RowSystem& system = work_->system;
     for (std::size_t k = 0; k < system.blocks.size(); ++k) {
         const RowBlock& block = system.blocks[k];

@@ -24,6 +24,7 @@
 
 #include "solve/tree/tree_solve.h"
 #include "step/island/positions/projection.h"
+#include "step/island/tree/closing_rows.h"
 #include "step/island/tree/tree_poses.h"
 
 namespace epode {
@@ -32,7 +33,8 @@ class TreeMotion {
   public:
     // Before TreeSolve::prepare: v* of the system, in which bodies keep their momenta (ProblemForm::keeps_momentum), become those with
     // which M v* is the momentum that the solution has to reach. False: out of memory.
-    bool begin(const World& world, IslandWork& work, JointTree& tree, TreeSolve& solve, Arena& arena);
+    bool begin(const World& world, IslandWork& work, JointTree& tree, TreeSolve& solve, ClosingRows& closing,
+               Arena& arena);
     // Is the step too long for the tree's turns?
     bool is_too_long() const { return too_long_; }
 
@@ -58,6 +60,8 @@ class TreeMotion {
     }
     Spatial momentum_of(std::size_t link, const Spatial& v) const;
     void measure_momenta(std::span<const double> u);
+    bool iterate();
+    bool is_thrown_by_closing();
     void find_rates(std::span<double> rates) const;
     void keep_momentum();
     void store_poses() const;
@@ -70,6 +74,7 @@ class TreeMotion {
     IslandWork* work_ = nullptr;
     JointTree* tree_ = nullptr;
     TreeSolve* solve_ = nullptr;
+    ClosingRows* closing_ = nullptr;
     Arena* arena_ = nullptr;
     TreePoses poses_;
     std::size_t size_ = 0;

@@ -148,6 +148,12 @@ Quat TreePoses::orientation(int link) const
     return q;
 }
 
+void TreePoses::store(int link, Body& to) const
+{
+    const Quat q = orientation(link);
+    epode::store(to.pos, position(link)), store_quat(to.q, q), store_mat(to.R, to_matrix(q));
+}
+
 void TreePoses::move(JointTree& tree) const
 {
     for (std::size_t i = 0; i < places_.size(); ++i) {

@@ -35,6 +35,7 @@ class TreePoses {
     // Poses at the displacements.
     Vec3 position(int link) const { return before(link).x + places_[std::size_t(link)].y; }
     Quat orientation(int link) const;
+    void store(int link, Body& to) const;
     // The tree with its motions at those poses.
     void move(JointTree& tree) const;
 

@@ -44,6 +44,8 @@ bool TreeMotion::settle_velocities()
     const std::span<const double> rates = solve_->u();
     solve_->add_yields_to(factor), solve_->add_yield_momentum(rates, r_);
     factor.factor(), factor.solve(r_);
+    const bool holds = closing_->hold(*solve_, factor, r_, *arena_);
+    if (arena_->failed()) return false;
     solve_->add_yield_impulses(rates, r_);
     tree_->velocities(r_, scratch_);
     for (std::size_t i = 0; i < size_; ++i) {
@@ -53,6 +55,7 @@ bool TreeMotion::settle_velocities()
         body(i).spin_excess = {};
         scratch_[i] = Spatial{inertias[i] * b.w, b.mass * b.v} - momenta_[i];
     }
+    if (holds) closing_->subtract_impulses(*tree_, scratch_);
     add_last_impulses(scratch_);
     solve_->store_joint_impulses(impulses_);
     return true;
