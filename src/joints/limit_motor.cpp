@@ -132,18 +132,19 @@ void LimitMotor::emit_linear(const Joint& j, RowWriter& out, Vec3 axis, Real pos
     emit(j, out, sliding_jacobian(j, axis), position, dot(axis, relative_velocity(j)));
 }
 
-void LimitMotor::emit(const Joint& j, RowWriter& out, const Jacobian& jacobian, Real value, Real rate)
+Row* LimitMotor::emit(const Joint& j, RowWriter& out, const Jacobian& jacobian, Real value, Real rate)
 {
     if (!out.info().inner) note(value, rate);
     const bool unlimited_pull = pulls_away() && fmax == kInf && lo != hi;
     if (stop_ == Stop::kNone || unlimited_pull) return emit_motor(out, jacobian);
-    write_stop(j, out, jacobian, value);
+    Row& row = write_stop(j, out, jacobian, value);
     if (fmax > 0 && fmax < kInf && lo != hi && !out.info().inner) push(j, out, jacobian);
+    return &row;
 }
 
-void LimitMotor::emit_motor(RowWriter& out, const Jacobian& jacobian) const
+Row* LimitMotor::emit_motor(RowWriter& out, const Jacobian& jacobian) const
 {
-    if (!(fmax > 0)) return;
+    if (!(fmax > 0)) return nullptr;
     Row& row = out.row(jacobian, 0, RowKind::kLimit);
     row.speed = vel;
     row.erp = 0;  // there is no position to correct
@@ -151,6 +152,7 @@ void LimitMotor::emit_motor(RowWriter& out, const Jacobian& jacobian) const
     row.soft = cfm_chosen;
     row.lo = -fmax;
     row.hi = fmax;
+    return &row;
 }
 
 // Decides the state of this step.
@@ -177,7 +179,7 @@ Real LimitMotor::erp_of(const Joint& j, const RowWriter& out) const
     return moves_poses ? stop_erp : std::min(stop_erp, stop_rate / out.info().fps);
 }
 
-void LimitMotor::write_stop(const Joint& j, RowWriter& out, const Jacobian& jacobian, Real value) const
+Row& LimitMotor::write_stop(const Joint& j, RowWriter& out, const Jacobian& jacobian, Real value) const
 {
     const bool servo = lo == hi;
     const Real error = (stop_ == Stop::kLow ? lo : hi) - value;
@@ -188,8 +190,8 @@ void LimitMotor::write_stop(const Joint& j, RowWriter& out, const Jacobian& jaco
     row.has_restitution = has_restitution_;
     row.restitution_velocity = restitution_velocity_;
     stop_spring.apply_to(out, row);
-    if (servo) return;
-    (stop_ == Stop::kLow ? row.lo : row.hi) = 0;
+    if (!servo) (stop_ == Stop::kLow ? row.lo : row.hi) = 0;
+    return row;
 }
 
 bool LimitMotor::pulls_away() const

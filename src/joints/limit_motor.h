@@ -45,18 +45,18 @@ struct LimitMotor {
 
     // At most one row. `value` is read only when there are stops. Whether a stop acts, and how it rebounds,
     // is decided at the first call of a step and kept at inner poses, so that the number of rows stays the
-    // same.
+    // same. Returns the row, or null.
     // `angle`: returns the angle up to whole turns.
     template <typename Angle>
-    void emit_angular(const Joint& j, RowWriter& out, Vec3 axis, Angle angle)
+    Row* emit_angular(const Joint& j, RowWriter& out, Vec3 axis, Angle angle)
     {
         const Real value = needs_value() ? follow(j, out, angle()) : (turns.follows = false, 0);
-        emit(j, out, angular_jacobian(j, axis), value, dot(axis, relative_angular_velocity(j)));
+        return emit(j, out, angular_jacobian(j, axis), value, dot(axis, relative_angular_velocity(j)));
     }
     void emit_linear(const Joint& j, RowWriter& out, Vec3 axis, Real position);
-    void emit(const Joint& j, RowWriter& out, const Jacobian& jacobian, Real value, Real rate);
+    Row* emit(const Joint& j, RowWriter& out, const Jacobian& jacobian, Real value, Real rate);
     // The motor alone, whatever the stops.
-    void emit_motor(RowWriter& out, const Jacobian& jacobian) const;
+    Row* emit_motor(RowWriter& out, const Jacobian& jacobian) const;
 
     bool needs_value() const { return has_stops() || turns.continuous; }
     bool counts_turns(const Joint& j) const;
@@ -81,7 +81,7 @@ struct LimitMotor {
     enum class Stop : unsigned char { kNone, kLow, kHigh };
 
     void note(Real value, Real rate);
-    void write_stop(const Joint& j, RowWriter& out, const Jacobian& jacobian, Real value) const;
+    Row& write_stop(const Joint& j, RowWriter& out, const Jacobian& jacobian, Real value) const;
     Real erp_of(const Joint& j, const RowWriter& out) const;
     void push(const Joint& j, RowWriter& out, const Jacobian& jacobian) const;
     bool pulls_away() const;

@@ -9,7 +9,16 @@
 //   angle0 = -atan2(a2.(a0 x b1), a2.b1)
 //   angle1 = -atan2(a2.a0, a2.(a0 x a1))
 //   angle2 = -atan2(b2.a1, b2.(a1 x a2))
-// and motors work along a1 x a2, a1, a0 x a1: the directions that change one angle and leave the others.
+// and motors work along a1 x a2, a1, a0 x a1: the directions that change one angle and leave the others. These are unit vectors, and
+// with V = a0.(a1 x a2), the sine between the outer axes, the spin w along the first and the last is V times the rate of their angle:
+//
+//   w.(a1 x a2) = V angle0',   w.(a0 x a1) = V angle2'
+//
+// so V e is the error of a row whose angle has the error e. ODE asks for erp/h e all the same, and removes erp/V of e in a step: where V
+// < erp/2 an angle overshoots by more than it was off, and where V = 0, with the two directions opposite, stops ask for a spin of
+// (e0 + e2) erp/(h V). Ours ask for V e erp/(h max(V, 1 - V)): what ODE's do as long as V >= 1/2, where no ERP of 0 ... 1 overshoots
+// so, and less below it, so that no angle is asked for a rate above 2 e erp/h, nor the bodies. The same holds for the speeds of motors
+// and of rebounds.
 //
 // Turn mode: the rotation of body 1 against body 2 from the turn where the mode was set, as a vector r along its axis n, as long as
 // its angle, 0 ... pi. The three axes are body 1's, with the components of r as positions; the stops of axis 0 hold |r|, whose row is
@@ -24,8 +33,9 @@
 
 namespace epode {
 
-constexpr Real kNearLock = Real(0.05);  // sine between the outer axes
-constexpr Real kJump = Real(1.5);       // of an Euler angle in one step, rad
+constexpr Real kNearLock = Real(0.05);    // V from which on drives hold their Jacobians
+constexpr Real kFarFromLock = Real(0.5);  // V from which on outer angles are coordinates of their own
+constexpr Real kJump = Real(1.5);         // of an Euler angle in one step, rad
 
 struct AMotor : LastingJoint {
     static constexpr int kMaxRows = 3;
@@ -76,7 +86,11 @@ struct AMotor : LastingJoint {
     // do. (ODE tests the angle as read and so drives the body away from the range.)
     Real sense() const { return reverse && mode == dAMotorEuler ? Real(-1) : Real(1); }
     void emit(RowWriter& out);
+    void count_turns_at_lock();
+    static bool jumps(const TurnCount& turns, Real now);
     void emit_euler(int i, RowWriter& out, Vec3 axis);
+    static Real volume(const Vec3 (&a)[3]) { return dot(a[0], cross(a[1], a[2])); }
+    static void measure_along(Row& row, Real V);
     Vec3 turn() const;  // r
     void emit_turn(RowWriter& out);
 
@@ -186,8 +200,7 @@ JointAxis AMotor::axis_at(int i) const
     }
     const Euler& now = euler();
     const Vec3(&a)[3] = now.a;
-    const Real volume = std::max(dot(a[0], cross(a[1], a[2])), kNearLock);
-    const Vec3 dual = cross(a[(i + 1) % 3], a[(i + 2) % 3]) / volume;
+    const Vec3 dual = cross(a[(i + 1) % 3], a[(i + 2) % 3]) / std::max(volume(a), kNearLock);
     const AxisCarrier carrier = i == 1 ? AxisCarrier::kBetween : carrier_of(node_of(*this, i / 2));
     return angle_among(angular_jacobian(*this, reverse ? -dual : dual),
                        sense() * motor[i].counted(*this, sense() * now.angle[i]),
@@ -216,6 +229,7 @@ void AMotor::emit(RowWriter& out)
     if (mode == dAMotorTurn) return emit_turn(out);
     Vec3 a[3];
     if (mode == dAMotorEuler) std::copy_n(euler().angle, 3, angle);
+    if (mode == dAMotorEuler && !out.info().inner) count_turns_at_lock();
     motor_axes(a);
     for (int i = 0; i < count; ++i)
         if (mode == dAMotorEuler)
@@ -226,13 +240,44 @@ void AMotor::emit(RowWriter& out)
     if (mode != dAMotorEuler) out.mark_given();
 }
 
-// Where the outer axes become parallel, their angles jump by half a turn, in which no turns can be counted.
+// A spring has its torque by the angle, whatever direction the row has.
+void AMotor::measure_along(Row& row, Real V)
+{
+    const Real divisor = std::max(V, 1 - V), share = V / divisor;
+    row.error *= row.drive ? share : V;
+    row.erp /= divisor;
+    row.speed *= share;
+    row.restitution_velocity *= share;
+}
+
+// Where the outer axes become parallel, the outer angles jump by half a turn, one against the other, and no turns of them can be
+// counted: but those of the turn about both axes, their sum or, of opposite axes, difference. Angles whose turns are found one
+// by one may ask for a turn of the bodies that is a whole one too far.
+void AMotor::count_turns_at_lock()
+{
+    TurnCount &first = motor[0].turns, &last = motor[2].turns;
+    const Real now[2] = {sense() * angle[0], sense() * angle[2]};
+    const bool follow = first.follows && last.follows, jump = jumps(first, now[0]) || jumps(last, now[1]);
+    if (jump) first.follows = last.follows = false;
+    if (!motor[0].counts_turns(*this) || !motor[2].counts_turns(*this) || (follow && !jump)) return;
+    const Vec3(&a)[3] = euler().a;
+    if (!follow && volume(a) > kFarFromLock) return;
+    const Real sign = dot(a[0], a[2]) < 0 ? Real(-1) : Real(1);
+    const Real before = follow ? first.last + sign * last.last : 0;
+    const Real both = nearest_turn(now[0] + sign * now[1], before);
+    const Real of_first = motor[0].counted(*this, now[0]);
+    first.take(of_first), last.take(sign * (both - of_first));
+}
+
+bool AMotor::jumps(const TurnCount& turns, Real now)
+{
+    return turns.follows && std::fabs(nearest_turn(now, turns.last) - turns.last) > kJump;
+}
+
 void AMotor::emit_euler(int i, RowWriter& out, Vec3 axis)
 {
-    const Real now = sense() * angle[i];
-    TurnCount& turns = motor[i].turns;
-    if (std::fabs(nearest_turn(now, turns.last) - turns.last) > kJump) turns.follows = false;
-    motor[i].emit_angular(*this, out, axis, [&] { return now; });
+    Row* row = motor[i].emit_angular(*this, out, axis, [&] { return sense() * angle[i]; });
+    if (row && i != 1 && !world->acts_as_ode()) measure_along(*row, volume(euler().a));
 }
 
 namespace {

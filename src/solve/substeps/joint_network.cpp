@@ -13,20 +13,8 @@ constexpr int kRounds = 4;                                   // of solving and c
 constexpr int kRoundsThatRelease = 2;                        // of them may release: no two rows alternate
 constexpr Real kSlack = kSingle ? Real(1e-5) : Real(1e-10);  // velocity that releases nothing
 
-constexpr Real kParallel = Real(0.96);  // square of the cosine between axes that are nearly one
-
 // A stop, as against friction and drives of limited force.
 bool is_one_sided(const NetworkRow& row) { return row.parent < 0 && !(row.lo > -kInf && row.hi < kInf); }
-
-bool is_bounded(const NetworkRow& row) { return row.parent >= 0 || row.lo > -kInf || row.hi < kInf; }
-
-// Do both turn about nearly one axis?
-bool are_parallel(const NetworkRow& a, const NetworkRow& b)
-{
-    if (!(a.lin[0] == Vec3{}) || !(b.lin[0] == Vec3{})) return false;
-    const Real d = dot(a.ang[0], b.ang[0]);
-    return d * d > kParallel * length2(a.ang[0]) * length2(b.ang[0]);
-}
 
 }  // namespace
 
@@ -158,26 +146,6 @@ void JointNetwork::load_substep(const RowSystem& system, const Substep& step)
     for (Group& group : groups_) group.stale = true;
 }
 
-// Of bounded rows about nearly one axis one stays in the factor: a stop rather than friction, which is swept. Of two stops the second does
-// not act in this step: where the outer axes of Euler angles become parallel, stops ask for opposite turns about one axis, and what
-// satisfies both may have any speed.
-void JointNetwork::leave_one_axis_each(const NetworkJoint& joint, std::span<Velocity> bodies)
-{
-    const std::span<NetworkRow> rows = rows_of(joint);
-    const auto counts = [](const NetworkRow& row) {
-        return row.place == RowPlace::kFactor && is_bounded(row);
-    };
-    for (std::size_t i = 1; i < rows.size(); ++i)
-        for (std::size_t k = 0; k < i && counts(rows[i]); ++k) {
-            if (!counts(rows[k]) || !are_parallel(rows[k], rows[i])) continue;
-            NetworkRow& row = is_one_sided(rows[i]) && !is_one_sided(rows[k]) ? rows[k] : rows[i];
-            row.place = is_one_sided(row) ? RowPlace::kIgnored : RowPlace::kLeft;
-            if (row.place == RowPlace::kLeft) continue;
-            apply(row, joint, -row.p, bodies);
-            row.p = 0;
-        }
-}
-
 void JointNetwork::factor(std::size_t group)
 {
     if (forest_.is_forest())
@@ -228,7 +196,7 @@ void JointNetwork::sweep_rows(Group& group, std::span<Velocity> bodies, bool rel
 {
     for (const NetworkJoint& joint : joints_of(group))
         for (NetworkRow& row : rows_of(joint)) {
-            if (row.place != RowPlace::kSwept && row.place != RowPlace::kLeft) continue;
+            if (row.place == RowPlace::kFactor || row.place == RowPlace::kHeld) continue;
             const Real w = velocity(row, joint, bodies) + row.C * row.p - (relax ? row.c_relaxed : row.c);
             Real lo, hi;
             bounds(row, lo, hi);
@@ -243,11 +211,7 @@ void JointNetwork::sweep_rows(Group& group, std::span<Velocity> bodies, bool rel
 void JointNetwork::solve(std::size_t group, std::span<Velocity> bodies, bool relax)
 {
     const std::span<const NetworkJoint> joints = joints_of(groups_[group]);
-    if (groups_[group].stale) {
-        if (bounded_)
-            for (const NetworkJoint& joint : joints) leave_one_axis_each(joint, bodies);
-        factor(group);
-    }
+    if (groups_[group].stale) factor(group);
     for (const NetworkJoint& joint : joints)
         for (int i = joint.first; i < joint.first + joint.count; ++i) {
             const NetworkRow& row = rows_[std::size_t(i)];

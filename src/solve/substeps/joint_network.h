@@ -76,7 +76,6 @@ class JointNetwork {
     {
         return joints_.subspan(std::size_t(group.first), std::size_t(group.last - group.first));
     }
-    void leave_one_axis_each(const NetworkJoint& joint, std::span<Velocity> bodies);
     void factor(std::size_t group);
 
     void bounds(const NetworkRow& row, Real& lo, Real& hi) const;

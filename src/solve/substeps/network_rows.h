@@ -13,9 +13,9 @@ namespace epode {
 // since each visit starts from the true residual, the next one recovers the digits that this costs.
 inline constexpr double kFirm = 1e-9;
 
-// Where a row is solved: with all others in the factor; on its bound, which holds it until it pulls away from there, kIgnored for the rest
-// of the step; or by sweeps, kLeft for the rest of the step.
-enum class RowPlace : unsigned char { kFactor, kHeld, kIgnored, kSwept, kLeft };
+// Where a row is solved: with all others in the factor; on its bound, which holds it, until it pulls away from there; or by
+// sweeps, kLeft for the rest of the step.
+enum class RowPlace : unsigned char { kFactor, kHeld, kSwept, kLeft };
 
 struct NetworkRow {
     Vec3 lin[2], ang[2], turn[2];  // turn = I^-1 ang

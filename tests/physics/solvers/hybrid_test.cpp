@@ -373,47 +373,6 @@ TEST(Hybrid, chooses_by_structure)
     EXPECT_EQ(method_between(110, 150), dIslandMethodSubsteps);
 }
 
-// Near gimbal lock the stops of the first and the last Euler angle act about nearly one axis, and may ask for opposite turns: what satisfies
-// both may have any speed.
-TEST(Hybrid, stops_that_contradict_each_other_throw_nothing)
-{
-    double widest = 0, farthest = 0;
-    Random random(11);
-    for (int number = 0; number < 200; ++number) {
-        Hybrid sim(dStepperSubstepsExactJoints);
-        sim.gravity(0, 0, 0);
-        const dBodyID a = sim.body({0, 0, 0}, 1, 0.1), b = sim.body({0, 0, 1}, 1, 0.1);
-        const dJointID ball = join_by_ball(sim, a, b, {0, 0, 0.5}),
-                       motor = dJointCreateAMotor(sim.world, nullptr);
-        dJointAttach(motor, a, b);
-        dJointSetAMotorMode(motor, dAMotorEuler);
-        dJointSetAMotorAxis(motor, 0, 1, 1, 0, 0);
-        dJointSetAMotorAxis(motor, 2, 2, 0, 0, 1);
-        for (const int group : {0, int(dParamGroup2), int(dParamGroup3)}) {
-            dJointSetAMotorParam(motor, dParamLoStop + group, real(-0.5));
-            dJointSetAMotorParam(motor, dParamHiStop + group, real(0.5));
-        }
-        dMatrix3 x, y, z, yx, turn;
-        dRFromAxisAndAngle(x, 1, 0, 0, real(random.uniform(-1, 1)));
-        dRFromAxisAndAngle(y, 0, 1, 0, real(random.uniform(1.5, 1.64)));
-        dRFromAxisAndAngle(z, 0, 0, 1, real(random.uniform(-1, 1)));
-        dMultiply0(yx, y, x, 3, 3, 3), dMultiply0(turn, z, yx, 3, 3, 3);
-        dBodySetRotation(a, turn);
-        dVector3 arm;
-        dBodyVectorToWorld(a, 0, 0, real(0.5), arm);
-        place(a, V3{0, 0, 0.5} - vec(arm));
-        velocity(a, {}, random.point(5)), velocity(b, {}, random.point(5));
-        for (int i = 0; i < 30; ++i) {
-            const V3 before = vec(dBodyGetPosition(a));
-            sim.run(1);
-            widest = std::max(widest, gap(ball));
-            farthest = std::max(farthest, length(vec(dBodyGetPosition(a)) - before));
-        }
-    }
-    EXPECT_LT(widest, 0.01);
-    EXPECT_LT(farthest, 0.2);  // 12 m/s
-}
-
 // A trunk of 100 kg on four legs with feet of 1 kg, its hinges held by motors.
 TEST(Hybrid, a_heavy_machine_stands_still_on_light_feet)
 {
