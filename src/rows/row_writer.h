@@ -21,6 +21,7 @@ struct StepInfo {
     Real contact_layer = 0;            // depth that contacts may keep, m
     Real touching_depth = 0;           // that contacts of several points keep, beyond rounding, m
     Real contact_max_vel = kInf;       // limit of a contact's correcting velocity, m/s
+    Real correction = 1;               // share of the errors of positions that contacts without rows correct
     bool cone = false;                 // friction of contact joints is bounded by an ellipse, not a box
     bool friction_along_slip = false;  // of world-managed contacts: the first direction
     bool inner = false;  // a pose within a step that has begun: the number of rows must not change

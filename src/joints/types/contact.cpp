@@ -316,7 +316,7 @@ inline void set_point(const Contact& contact, const StepInfo& info, Vec3 n, Real
     row.erp = info.erp, row.cfm = info.cfm;
     contact.aim_normal(row, info, n, touching_depth);
     point.r1 = contact.pos - contact.body1()->position();
-    point.c = wanted_velocity(row, row.erp * info.fps);
+    point.c = wanted_velocity(row, info.correction * row.erp * info.fps);
     point.C = row.cfm * info.fps;
     point.error = row.error;
     for (Real& p : point.p) p = 0;

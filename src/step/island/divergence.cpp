@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "joints/joint_manifolds.h"
 #include "step/island/positions/solved_motion.h"
 #include "tasks/prefetched.h"
 
@@ -84,9 +85,10 @@ struct Supply {
     void add_beyond(double p, double past) { beyond += std::max(0.0, p * past); }
     void add_correction(const Row& row, double p, double c)
     {
-        by_corrections += p * c;
-        (length2(row.lin1) + length2(row.lin2) > 0 ? linear : angular) += c * c;
+        if (length2(row.lin1) + length2(row.lin2) > 0) return add_linear_correction(p, c);
+        by_corrections += p * c, angular += c * c;
     }
+    void add_linear_correction(double p, double c) { by_corrections += p * c, linear += c * c; }
 };
 
 Vec3 velocity_at(const RowSystem& system, int body, Vec3 r)
@@ -118,13 +120,26 @@ void add(const RowSystem& system, const RowBlock& block, Supply& sum)
     }
 }
 
-void add(const RowSystem& system, const JointManifold& m, Supply& sum)
+// Of a contact joint without rows; its bodies have the velocities that its rebound was found from.
+void add_correction(const Joint& contact, const JointManifoldPoint& point, Real h, Supply& sum)
 {
+    const Row row = normal_of_contact(contact, step_info(*contact.world, h));
+    RowNumbers n;
+    n.c = point.c;
+    if (row.soft && point.C > 0) sum.by_springs += double(point.c * point.c / point.C);
+    if (corrects(row, n)) sum.add_linear_correction(double(point.p[0]), double(point.c - row.speed));
+}
+
+void add(const IslandWork& work, const JointManifold& m, Supply& sum)
+{
+    const RowSystem& system = work.system;
     const Vec3 axes[] = {m.n, m.t1, m.t2};
     for (int k = m.first; k < m.first + m.count; ++k) {
         const JointManifoldPoint& point = system.joint_contacts.points[std::size_t(k)];
         const Vec3 r2 = point.r1 + m.offset;
         const Vec3 u = velocity_at(system, m.body1, point.r1) - velocity_at(system, m.body2, r2);
+        if (point.p[0] != 0 && point.error > 0)
+            add_correction(*work.contacts[std::size_t(k)], point, system.h, sum);
         for (int i = 0; i < 3; ++i) {
             const Jacobian J{axes[i], cross(point.r1, axes[i]), -axes[i], -cross(r2, axes[i])};
             const double c = double(i == 0 ? point.c : m.c[i - 1]);
@@ -149,12 +164,13 @@ void add(const RowSystem& system, const ContactManifold& m, Supply& sum)
     }
 }
 
-Supply supply_to(const RowSystem& system, const SystemPart& from, const SystemPart& to)
+Supply supply_to(const IslandWork& work, const SystemPart& from, const SystemPart& to)
 {
+    const RowSystem& system = work.system;
     Supply sum;
     for (int k = from.blocks; k < to.blocks; ++k) add(system, system.blocks[std::size_t(k)], sum);
     for (int k = from.joint_manifolds; k < to.joint_manifolds; ++k)
-        add(system, system.joint_contacts.manifolds[std::size_t(k)], sum);
+        add(work, system.joint_contacts.manifolds[std::size_t(k)], sum);
     for (int k = from.contact_manifolds; k < to.contact_manifolds; ++k)
         add(system, *system.contact_manifolds[std::size_t(k)], sum);
     return sum;
@@ -200,7 +216,7 @@ SolutionEnergy judge_energy(const IslandWork& work, int part, Real h, bool bound
     const double bound = motion.forced + motion.mass * double(kCorrecting * kCorrecting);
     const double gain = motion.solved - motion.forced;
     if (!(gain > bound)) return {};
-    const Supply sum = supply_to(work.system, from, to);
+    const Supply sum = supply_to(work, from, to);
     SolutionEnergy energy;
     energy.diverged = gain - std::max(0.0, sum.by_targets) - sum.by_springs > bound;
     if (!bounds_corrections) return energy;

@@ -327,7 +327,8 @@ class Assembly {
     {
         const Island& island = work_.island;
         int rows = 0, blocks = 0;
-        const StepInfo info = info_for(world_, h_, form_, island);
+        StepInfo info = info_for(world_, h_, form_, island);
+        info.correction = work_.correction;
         write_manifolds(work_.contacts, info, system_.joint_contacts);
         emit_rows(info, work_.joints, begins, work_, rows, blocks);
         work_.joints = work_.joints.first(std::size_t(blocks));
