@@ -94,6 +94,13 @@ dRobotJoint joint_of(const epode::robots::Joint& joint)
     return out;
 }
 
+dRobotActuator actuator_of(const epode::robots::Actuator& actuator)
+{
+    const bool is_filtered = actuator.filter.kind != epode::robots::Activation::Kind::kNone;
+    return {actuator.name.c_str(), actuator.joint, is_filtered, real_of(actuator.low),
+            real_of(actuator.high)};
+}
+
 constexpr const char* kPositions =
     "a model without errors, its finite positions, a capacity of 0 or more, and an array unless it is 0";
 constexpr const char* kArray = "a model, a capacity of 0 or more, and an array unless it is 0";
@@ -183,6 +190,15 @@ int dRobotModelGetJoints(dRobotModelID model, dRobotJoint* joints, int capacity)
     return int(all.size());
 }
 
+int dRobotModelGetActuators(dRobotModelID model, dRobotActuator* actuators, int capacity)
+{
+    model = alive(model);
+    CHECK(model && capacity >= 0 && (actuators || capacity == 0), kArray);
+    const auto& all = model->model.actuators;
+    for (int i = 0; i < std::min(capacity, int(all.size())); ++i) actuators[i] = actuator_of(all[size_t(i)]);
+    return int(all.size());
+}
+
 int dRobotModelGetNumPositions(dRobotModelID model)
 {
     model = alive(model);
@@ -240,6 +256,14 @@ int dRobotModelGetStart(dRobotModelID model, int number, dReal* positions, int c
     CHECK(model && capacity >= 0 && (positions || capacity == 0), kArray);
     CHECK(number >= 0 && number < int(model->model.starts.size()), "the number of a start pose");
     return copy_positions(model->model.starts[size_t(number)].positions, positions, capacity);
+}
+
+const char* dRobotModelGetStartName(dRobotModelID model, int number)
+{
+    model = alive(model);
+    CHECK(model && number >= 0 && number < int(model->model.starts.size()),
+          "a model and the number of a start pose");
+    return model->model.starts[size_t(number)].name.c_str();
 }
 
 int dRobotModelGetPoses(dRobotModelID model, const dReal* positions, int count, dReal* poses, int capacity)

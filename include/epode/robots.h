@@ -125,13 +125,24 @@ typedef struct dRobotJoint {
     dReal max_velocity; /**< m/s or rad/s, dInfinity for none */
 } dRobotJoint;
 
+/** An actuator. The name lives as long as the model. */
+typedef struct dRobotActuator {
+    const char* name; /**< as in the file */
+    int joint;        /**< that it acts on, -1 of one that acts on a tendon, a site or a link */
+    int is_filtered;  /**< 1: its force follows its activation, which follows the control in time */
+    dReal low;        /**< least control, -dInfinity for none */
+    dReal high;       /**< largest control, dInfinity for none */
+} dRobotActuator;
+
 /** - dRobotModelGetLinks: Copies up to capacity links to links. Returns how many there are.
     - dRobotModelGetJoints: Copies up to capacity joints to joints. Returns how many there are.
+    - dRobotModelGetActuators: Copies up to capacity actuators to actuators. Returns how many there are.
     - dRobotModelGetNumPositions: Returns how many coordinates the joints have.
     - dRobotModelGetNumActuators: Returns how many actuators the model has.
     - dRobotModelGetNumStarts: Returns how many named start poses the model has. [ours] */
 ODE_API int dRobotModelGetLinks(dRobotModelID model, dRobotLink* links, int capacity);
 ODE_API int dRobotModelGetJoints(dRobotModelID model, dRobotJoint* joints, int capacity);
+ODE_API int dRobotModelGetActuators(dRobotModelID model, dRobotActuator* actuators, int capacity);
 ODE_API int dRobotModelGetNumPositions(dRobotModelID model);
 ODE_API int dRobotModelGetNumActuators(dRobotModelID model);
 ODE_API int dRobotModelGetNumStarts(dRobotModelID model);
@@ -147,9 +158,12 @@ ODE_API int dRobotModelFindActuator(dRobotModelID model, const char* name);
 /** - dRobotModelGetReference: Copies up to capacity coordinates of the pose in which the file describes the
       robot to positions. Returns how many there are.
     - dRobotModelGetStart: Copies up to capacity coordinates of the start pose of that number to positions.
-      Returns how many there are. Refused: a number outside 0 ... dRobotModelGetNumStarts - 1. [ours] */
+      Returns how many there are. Refused: a number outside 0 ... dRobotModelGetNumStarts - 1.
+    - dRobotModelGetStartName: Returns the name of that start pose, which lives as long as the model. Refused: the
+      same (NULL is returned). [ours] */
 ODE_API int dRobotModelGetReference(dRobotModelID model, dReal* positions, int capacity);
 ODE_API int dRobotModelGetStart(dRobotModelID model, int number, dReal* positions, int capacity);
+ODE_API const char* dRobotModelGetStartName(dRobotModelID model, int number);
 
 /** Writes the pose of up to capacity links in the model's world to poses, 7 reals each: position, m, and
     quaternion. positions: count coordinates. Returns how many links there are. Refused: a count other than

@@ -21,6 +21,7 @@ NAMES = {
     "dRobotSetMocap": "robot.Mocap",
     "dRobotModelGetLinks": "robot.Model.link_names", "dRobotModelGetJoints": "robot.Model.joint_names",
     "dRobotModelGetNumPositions": "robot.Model.position_count", "dRobotModelGetNumVelocities": "robot.Model.velocity_count",
+    "dRobotModelGetActuators": "robot.Model.actuators", "dRobotModelGetStartName": "robot.Model.starts",
     "dRobotModelGetNumActuators": "robot.Model.actuator_names", "dRobotModelGetNumStarts": "robot.Model.starts",
     "dRobotModelFindLink": "robot.Model.link_names", "dRobotModelFindJoint": "robot.Model.joint_names",
     "dRobotModelFindActuator": "robot.Model.actuator_names", "dRobotModelFindFrame": "robot.Model.frame_names",
@@ -54,7 +55,7 @@ NAMES = {
     "dBatchLinearise": "epode.Batch.linearise", "dBatchLineariseParameter": "epode.Batch.linearise_parameter",
     "dBatchCastRays": "epode.Batch.rays", "dBatchCountBad": "epode.Batch.bad",
 }
-OF_INSTANCES = {"robot.Model.starts", "robot.Model.sensors"}  # set when a model is made
+OF_INSTANCES = {"robot.Model.actuators", "robot.Model.starts", "robot.Model.sensors"}  # set when a model is made
 
 
 def functions():

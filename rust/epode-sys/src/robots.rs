@@ -214,6 +214,21 @@ pub struct dRobotJoint {
     /// m/s or rad/s, dInfinity for none
     pub max_velocity: dReal,
 }
+/// An actuator. The name lives as long as the model.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct dRobotActuator {
+    /// as in the file
+    pub name: *const c_char,
+    /// that it acts on, -1 of one that acts on a tendon, a site or a link
+    pub joint: c_int,
+    /// 1: its force follows its activation, which follows the control in time
+    pub is_filtered: c_int,
+    /// least control, -dInfinity for none
+    pub low: dReal,
+    /// largest control, dInfinity for none
+    pub high: dReal,
+}
 /// Where inverse kinematics is to bring a frame. Start from dRobotTargetInit.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -399,6 +414,8 @@ extern "C" {
     pub fn dRobotModelGetLinks(model: dRobotModelID, links: *mut dRobotLink, capacity: c_int) -> c_int;
     /// Copies up to capacity joints to joints. Returns how many there are.
     pub fn dRobotModelGetJoints(model: dRobotModelID, joints: *mut dRobotJoint, capacity: c_int) -> c_int;
+    /// Copies up to capacity actuators to actuators. Returns how many there are.
+    pub fn dRobotModelGetActuators(model: dRobotModelID, actuators: *mut dRobotActuator, capacity: c_int) -> c_int;
     /// Returns how many coordinates the joints have.
     pub fn dRobotModelGetNumPositions(model: dRobotModelID) -> c_int;
     /// Returns how many actuators the model has.
@@ -418,6 +435,9 @@ extern "C" {
     /// Copies up to capacity coordinates of the start pose of that number to positions.
     /// Returns how many there are. Refused: a number outside 0 ... dRobotModelGetNumStarts - 1.
     pub fn dRobotModelGetStart(model: dRobotModelID, number: c_int, positions: *mut dReal, capacity: c_int) -> c_int;
+    /// Returns the name of that start pose, which lives as long as the model. Refused: the
+    /// same (NULL is returned).
+    pub fn dRobotModelGetStartName(model: dRobotModelID, number: c_int) -> *const c_char;
     /// Writes the pose of up to capacity links in the model's world to poses, 7 reals each: position, m, and
     /// quaternion. positions: count coordinates. Returns how many links there are. Refused: a count other than
     /// dRobotModelGetNumPositions.

@@ -1343,6 +1343,7 @@ macro_rules! robots_structures {
         dRobotReportLine { note line file text }
         dRobotLink { name parent joints shapes mass centre inertia }
         dRobotJoint { name kind link position anchor axis low high max_force max_velocity }
+        dRobotActuator { name joint is_filtered low high }
         dRobotTarget { link point point_q position q position_weight orientation_weight }
         dRobotInverseOptions { struct_size max_iterations max_starts tolerance weights posture }
         dRobotInverseResult { struct_size is_reached starts iterations residual position_error orientation_error }
@@ -1412,6 +1413,7 @@ macro_rules! robots_functions {
         dRobotModelHasErrors
         dRobotModelGetLinks
         dRobotModelGetJoints
+        dRobotModelGetActuators
         dRobotModelGetNumPositions
         dRobotModelGetNumActuators
         dRobotModelGetNumStarts
@@ -1420,6 +1422,7 @@ macro_rules! robots_functions {
         dRobotModelFindActuator
         dRobotModelGetReference
         dRobotModelGetStart
+        dRobotModelGetStartName
         dRobotModelGetPoses
         dRobotModelGetNumVelocities
         dRobotModelGetJacobian
