@@ -43,6 +43,7 @@ inline bool check(bool good, const char* function, const char* wanted)
         if (!epode::robots::check(good, __func__, wanted)) return {}; \
     } while (false)
 
+#if defined(__cpp_exceptions)
 template <class Action>
 auto guarded(const char* function, Action&& action) -> decltype(action())
 {
@@ -55,6 +56,13 @@ auto guarded(const char* function, Action&& action) -> decltype(action())
     }
     return {};
 }
+#else  // WebAssembly: what would throw is a trap, which wasm/npm/src/robots makes an error of
+template <class Action>
+auto guarded(const char*, Action&& action) -> decltype(action())
+{
+    return action();
+}
+#endif
 
 inline bool is_usable(dReal value) { return std::fabs(double(value)) <= kMaxNumber; }  // false for NaN
 

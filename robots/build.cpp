@@ -97,13 +97,12 @@ Robot::Robot(std::shared_ptr<const Prepared> prepared, dWorldID world, dSpaceID 
       servos_(model().joints.size()),
       pasts_(model().tendons.size())
 {
-    try {
-        make(world, space);
-        if (!positions.empty()) set_positions(positions);
-    } catch (...) {
-        destroy();
-        throw;
-    }
+    // What was made goes again where the rest of it cannot be made.
+    const auto undo = [](Robot* robot) { robot->destroy(); };
+    std::unique_ptr<Robot, decltype(undo)> unfinished(this, undo);
+    make(world, space);
+    if (!positions.empty()) set_positions(positions);
+    unfinished.release();
 }
 
 void Robot::make(dWorldID world, dSpaceID space)

@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <mutex>
-#include <shared_mutex>
+
+#include "robots/table_lock.h"
 
 namespace epode::robots {
 
@@ -35,7 +35,7 @@ class Handles {
     // Throws std::bad_alloc.
     Object* add(std::unique_ptr<Object> object)
     {
-        const std::unique_lock lock(mutex_);
+        const WriteLock lock(mutex_);
         const auto handle = reinterpret_cast<Object*>(next_handle());
         objects_.emplace(handle, std::move(object));
         return handle;
@@ -43,7 +43,7 @@ class Handles {
 
     Object* find(const Object* handle) const
     {
-        const std::shared_lock lock(mutex_);
+        const ReadLock lock(mutex_);
         const auto found = objects_.find(handle);
         return found == objects_.end() ? nullptr : found->second.get();
     }
@@ -52,7 +52,7 @@ class Handles {
     bool remove(const Object* handle)
     {
         std::unique_ptr<Object> last;
-        const std::unique_lock lock(mutex_);
+        const WriteLock lock(mutex_);
         const auto found = objects_.find(handle);
         if (found == objects_.end()) return false;
         last = std::move(found->second);
@@ -61,7 +61,7 @@ class Handles {
     }
 
   private:
-    mutable std::shared_mutex mutex_;
+    mutable TableMutex mutex_;
     std::map<const Object*, std::unique_ptr<Object>> objects_;
 };
 

@@ -6,31 +6,12 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 
 namespace epode::robots {
-
-namespace fs = std::filesystem;
 
 namespace {
 
 constexpr int kMaxAncestors = 8;
-
-// "" for what cannot be a path.
-std::string canonical(const std::string& path)
-{
-    if (path.empty() || path.size() > 4096 || path.find('\0') != std::string::npos) return {};
-    std::error_code error;
-    const fs::path whole = fs::weakly_canonical(fs::absolute(path, error), error);
-    return error ? std::string() : whole.string();
-}
-
-bool is_file(const std::string& path)
-{
-    std::error_code error;
-    return !path.empty() && fs::is_regular_file(path, error);
-}
 
 bool is_inside(const std::string& path, const std::string& root)
 {
@@ -67,21 +48,6 @@ std::vector<std::string> environment_paths()
 
 }  // namespace
 
-std::string folder_of(const std::string& path)
-{
-    std::string folder = fs::path(path).parent_path().string();
-    return folder.empty() && !path.empty() ? "." : folder;
-}
-
-std::string ending_of(const std::string& path)
-{
-    std::string ending = fs::path(path).extension().string();
-    if (!ending.empty()) ending.erase(0, 1);
-    for (char& c : ending)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-    return ending;
-}
-
 Files::Files(const std::string& path, std::vector<std::string> roots) : named_(std::move(roots))
 {
     for (const std::string& root : named_) roots_.push_back(canonical(root));
@@ -89,10 +55,9 @@ Files::Files(const std::string& path, std::vector<std::string> roots) : named_(s
     roots_.push_back(folder);
     const std::string parent = folder_of(folder);
     if (parent != "/") roots_.push_back(parent);
-    std::error_code error;
     std::string ancestor = folder;
     for (int i = 0; i < kMaxAncestors && ancestor.size() > 1; ++i, ancestor = folder_of(ancestor))
-        if (fs::exists(ancestor + "/package.xml", error)) roots_.push_back(ancestor);
+        if (is_file(ancestor + "/package.xml")) roots_.push_back(ancestor);
     roots_.erase(std::remove(roots_.begin(), roots_.end(), std::string()), roots_.end());
 }
 
@@ -127,7 +92,7 @@ std::string Files::find_package(const std::string& rest, const std::string& fold
     for (int i = 0; i < kMaxAncestors && ancestor.size() > 1; ++i, ancestor = folder_of(ancestor))
         places.push_back(ancestor);
     for (const std::string& place : places) {
-        const bool is_it = fs::path(place).filename() == package;
+        const bool is_it = name_of(place) == package;
         for (const std::string& root : {is_it ? place : std::string(), place + "/" + package}) {
             const std::string whole = root.empty() ? "" : in_package(root, inner, tried);
             if (whole.empty()) continue;
@@ -174,20 +139,18 @@ std::optional<std::string> Files::read(const std::string& path, std::string& pro
         problem = "'" + path + "' is outside the folders that may be read";
         return std::nullopt;
     }
-    std::error_code error;
-    const auto size = fs::file_size(whole, error);
-    if (error || size > kMaxFile || total_ + size > kMaxTotal) {
-        problem = "'" + path + "' has " + std::to_string(size) +
+    const auto size = size_of_file(whole);
+    if (!size || *size > kMaxFile || total_ + *size > kMaxTotal) {
+        problem = "'" + path + "' has " + std::to_string(size.value_or(0)) +
                   " bytes; a file may have 256 MB, all together 1 GB";
         return std::nullopt;
     }
-    std::ifstream file(whole, std::ios::binary);
-    std::string text(size_t(size), '\0');
-    if (!file.read(text.data(), std::streamsize(size))) {
+    std::string text(size_t(*size), '\0');
+    if (!read_file(whole, text)) {
         problem = "'" + path + "' cannot be read";
         return std::nullopt;
     }
-    total_ += size_t(size);
+    total_ += size_t(*size);
     return text;
 }
 

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "robots/files/disk.h"
+
 namespace epode::robots {
 
 class Files {
@@ -35,10 +37,5 @@ class Files {
     std::map<std::string, std::string> packages_;  // found before, with their folders
     size_t total_ = 0;
 };
-
-// "." of a name without a folder.
-std::string folder_of(const std::string& path);
-// In lower case, without the dot.
-std::string ending_of(const std::string& path);
 
 }  // namespace epode::robots

@@ -5,7 +5,8 @@
 #include "robots/files/xml.h"
 
 #include <algorithm>
-#include <charconv>
+
+#include "robots/files/number.h"
 
 namespace epode::robots {
 
@@ -84,8 +85,8 @@ bool parse_numbers(const std::string& text, std::vector<double>& out)
         }
         if (*at == '+' && at + 1 != end && at[1] != '-') ++at;
         double value = 0;
-        const auto [next, error] = std::from_chars(at, end, value);
-        if (error != std::errc() || !std::isfinite(value) || (next != end && !is_blank(*next))) return false;
+        const char* const next = read_number(at, end, value);
+        if (!next || !std::isfinite(value) || (next != end && !is_blank(*next))) return false;
         out.push_back(value);
         at = next;
     }

@@ -5,6 +5,8 @@
 // number counts: from 1, or from the last vertex backwards if it is negative. Faces of more than three corners become
 // fans: of a hull and of the volume that a mesh encloses the result is that of any other division, so that a library
 // would add nothing.
+#include <charconv>
+
 #include "robots/meshes/formats.h"
 #include "robots/meshes/words.h"
 

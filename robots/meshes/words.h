@@ -4,9 +4,9 @@
 // The words of a text, one after the other: between them stand blanks and control characters.
 #pragma once
 
-#include <charconv>
 #include <string_view>
 
+#include "robots/files/number.h"
 #include "robots/geometry.h"
 
 namespace epode::robots {
@@ -27,8 +27,7 @@ class Words {
         std::string_view word;
         if (!next(word)) return false;
         if (word[0] == '+') word.remove_prefix(1);
-        return std::from_chars(word.data(), word.data() + word.size(), value).ec == std::errc() &&
-               std::isfinite(value);
+        return read_number(word.data(), word.data() + word.size(), value) && std::isfinite(value);
     }
     bool vec(Vec& v) { return number(v.x) && number(v.y) && number(v.z); }
     // What is left of the line.

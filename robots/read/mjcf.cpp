@@ -7,7 +7,6 @@
 #include "robots/fluid.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace epode::robots {
 
@@ -206,7 +205,7 @@ void Mjcf::read_custom(const Element& section)
 std::string Mjcf::asset_file(const Element& element) const
 {
     std::string file = element.text("file");
-    if (compiler_.strip_path) file = std::filesystem::path(file).filename().string();
+    if (compiler_.strip_path) file = name_of(file);
     return joined(compiler_.mesh_dir.empty() ? compiler_.asset_dir : compiler_.mesh_dir, file);
 }
 
@@ -214,7 +213,7 @@ void Mjcf::read_assets(const Element& section)
 {
     for (const Element& element : expand(section)) {
         const std::string file = asset_file(element), named = element.text("name");
-        const std::string name = named.empty() ? std::filesystem::path(file).stem().string() : named;
+        const std::string name = named.empty() ? stem_of(file) : named;
         if (element.name() == "hfield") fields_[name] = {element, file, -1, false};
         if (element.name() == "model") models_[name] = {element, element.text("file"), nullptr};
         if (element.name() == "skin") reading_.note(Note::kIgnored, element, "asset <skin>");
