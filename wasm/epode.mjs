@@ -108,6 +108,28 @@ class Ode {
         return pointer;
     }
 
+    // Of the module with robots: holds bytes as the file of an absolute path for dRobotModelLoad, and forgets all files.
+    hold_file(path, bytes) {
+        const name = this.new_string(path), copy = this.malloc(bytes.length || 1);
+        this.bytes(copy, bytes.length).set(bytes);
+        this.#exports.epode_hold_file(name, copy, bytes.length);
+        this.free(copy), this.free(name);
+    }
+    drop_files() { this.#exports.epode_drop_files(); }
+
+    // call(), or where it traps (natively it would throw, most often for want of memory) otherwise(error), with the stack as it was. Only
+    // in a module that exports its __stack_pointer.
+    rescue(call, otherwise) {
+        const stack = this.#exports.__stack_pointer, before = stack.value;
+        try {
+            return call();
+        } catch (error) {
+            if (!(error instanceof WebAssembly.RuntimeError || error instanceof Exit)) throw error;
+            stack.value = before;
+            return otherwise(error);
+        }
+    }
+
     // The structure of this name at a pointer, e.g. at(…, 'dContactGeom').depth; of nested ones 'surface.mu'.
     at(pointer, name) {
         this.#classes[name] ??= structure_class(name, this.#memory);

@@ -9,7 +9,7 @@ import re
 import subprocess
 import sys
 
-HEADERS = "#include <ode/ode.h>\n#include <ode/ext.h>\n"
+HEADERS = "#include <ode/ode.h>\n#include <ode/ext.h>\n#include <epode/robots.h>\n"
 KINDS = {"int": "Int32", "unsigned int": "Uint32", "unsigned long": "Uint32", "unsigned char": "Uint8", "unsigned short": "Uint16",
          "float": "Float32", "double": "Float64", "size_t": "Uint32", "dsizeint": "Uint32", "uint64_t": "BigUint64",
          "unsigned long long": "BigUint64", "time_t": "BigInt64"}

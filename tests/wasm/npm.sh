@@ -19,7 +19,8 @@ echo '{"name": "clean", "private": true, "type": "module"}' > package.json
 npm install --no-audit --no-fund --loglevel=error "$tarball" >/dev/null
 [ "$(ls node_modules)" = epode ] || { echo "npm: the package brings others: $(ls node_modules)"; exit 1; }
 
-EPODE_ROOT=$root node --test package_test.mjs > tests.log || { cat tests.log; exit 1; }
+gcc -O1 -I"$root/include" "$root/tests/wasm/npm/native_robot.c" -o native_robot -L"$native" -lepode_robots -lode -Wl,-rpath,"$native"
+EPODE_ROOT=$root EPODE_NATIVE_ROBOT=$folder/native_robot node --test package_test.mjs robots_test.mjs > tests.log || { cat tests.log; exit 1; }
 echo "npm: tests: $(grep -E '^# pass' tests.log)"
 "$root/build/wasm/npm/node_modules/.bin/tsc" --noEmit --strict --target es2022 --module nodenext --skipLibCheck false types.ts
 for example in node_modules/epode/examples/*.mjs; do
@@ -30,8 +31,9 @@ gcc -O1 -I"$root/include" "$root/tests/wasm/npm/native.c" -o native -L"$native" 
 node native_test.mjs ./native
 node hostile_test.mjs "${1:-1000000}" "${EPODE_SEED:-1}"
 size=$(gzip -9 -c node_modules/epode/lib/epode.wasm | wc -c)
-brotli=$(node -e 'process.stdout.write(String(require("zlib").brotliCompressSync(require("fs").readFileSync(process.argv[1])).length))' \
-  node_modules/epode/lib/epode.wasm)
+by_brotli() { node -e 'process.stdout.write(String(require("zlib").brotliCompressSync(require("fs").readFileSync(process.argv[1])).length))' "$1"; }
+brotli=$(by_brotli node_modules/epode/lib/epode.wasm)
+echo "npm: module with robots of $(by_brotli node_modules/epode/lib/epode_robots.wasm) bytes by brotli"
 echo "npm: module of $size bytes by gzip, $brotli by brotli"
 # The goal is 900,000: it was 903,143 on 2026-11-30.
 [ "$brotli" -le 910000 ] || { echo "npm: the module is larger than 910 kB"; exit 1; }

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What the declarations of the installed package must accept, and (ts-expect-error) must refuse: tsc --noEmit --strict.
-import {load, type Body, type Contact, type Material, type Sphere, type Vector3} from 'epode';
+import {load, type Body, type Contact, type Material, type Robot, type Sphere, type Vector3} from 'epode';
 
 const engine = await load({onMessage: text => text.length});
 const world = engine.createWorld({preset: 'robot', gravity: [0, 0, -1.62], hybridSubsteps: 8});
@@ -23,6 +23,12 @@ const car = body.makeVehicle({kind: 'tracked'});
 car.controls = {throttle: 1};
 const walker = world.createGeom('character', {settings: {shape: 'cylinder'}, position: [0, 0, 0]});
 const standing: boolean = walker.walk([1, 0, 0], 0, 1 / 60) === 'onGround';
+const model = engine.robots.load({'arm.urdf': '<robot/>', 'a.stl': new Uint8Array(4)}, {path: 'arm.urdf', fixedBase: true, meshes: 'parts'});
+const robot: Robot = model.build(world, {position: [0, 0, 1], positions: model.reference});
+robot.controls = model.actuators.map(({low, high}) => Number.isFinite(low) ? low : high);
+const coordinates: Float64Array = robot.positions, link: Body | null = robot.body('hand');
+// @ts-expect-error meshes collide as hulls, triangles or parts
+engine.robots.load('<robot/>', {meshes: 'soup'});
 
 // @ts-expect-error a preset that there is not
 engine.createWorld({preset: 'arcade'});
@@ -38,4 +44,4 @@ body.mass = '5';
 world.step(0.01, 'fast');
 // @ts-expect-error read alone
 body.isDestroyed = true;
-export {angle, distance, material, place, radius, rows, standing};
+export {angle, coordinates, distance, link, material, place, radius, rows, standing};

@@ -63,12 +63,13 @@ export function contents_of(world) {
 /**
  * Makes objects for what a world has and JavaScript does not know.
  * @param {World} world
+ * @param {boolean} owns whether the data of meshes and height fields end with their last geom
  */
-export function adopt_contents(world) {
+export function adopt_contents(world, owns = true) {
     const e = world.engine, {bodies, joints: all, geoms: solids} = contents_of(world), is_new = (/** @type {number} */ p) => !e.objects.has(p);
     for (const pointer of bodies.filter(is_new)) world.begun(new Body(world, pointer));
     for (const pointer of all.filter(is_new)) world.begun(new (joint_class(e, pointer))(world, pointer));
-    for (const pointer of solids.filter(is_new)) world.begun(new (geom_class(e, pointer))(world, pointer, shared_of(e, pointer)));
+    for (const pointer of solids.filter(is_new)) world.begun(new (geom_class(e, pointer))(world, pointer, owns ? shared_of(e, pointer) : undefined));
 }
 
 /** The data of a mesh or height field, which one object of JavaScript owns. @param {Engine} e @param {number} pointer */

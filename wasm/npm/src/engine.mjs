@@ -7,6 +7,7 @@
 // makes must not move what the call around it has there.
 import {load as load_c} from './c/epode.mjs';
 import {EpodeError} from './errors.mjs';
+import {Robots} from './robots.mjs';
 import {World} from './world.mjs';
 import {adopt} from './copies.mjs';
 /** @import {Handle} from './handle.mjs' */
@@ -16,7 +17,9 @@ import {adopt} from './copies.mjs';
 const kFrame = 8192, kFrames = 16;
 
 /** @typedef {object} LoadOptions
- * @property {URL | BufferSource | WebAssembly.Module} [source] where the module is, or its bytes; default: epode.wasm of the package
+ * @property {boolean} [robots] whether the engine reads robots from files (`Engine.robots`): its module is larger; false
+ * @property {URL | BufferSource | WebAssembly.Module} [source] where the module is, or its bytes; default: epode.wasm of the package,
+ *     epode_robots.wasm with robots
  * @property {(text: string) => void} [onMessage] gets what the library reports without refusing a call; default: console.warn */
 
 /**
@@ -24,14 +27,17 @@ const kFrame = 8192, kFrames = 16;
  * @param {LoadOptions} [options]
  * @returns {Promise<Engine>}
  */
-export async function load({source, onMessage = console.warn} = {}) {
-    return new Engine(await load_c(/** @type {any} */ (source ?? new URL('./epode.wasm', import.meta.url)), {print: onMessage}), onMessage);
+export async function load({source, robots = false, onMessage = console.warn} = {}) {
+    const own = () => robots ? new URL('./epode_robots.wasm', import.meta.url) : new URL('./epode.wasm', import.meta.url);
+    return new Engine(await load_c(/** @type {any} */ (source ?? own()), {print: onMessage}), onMessage);
 }
 
 /** The library in one instance of WebAssembly. */
 export class Engine {
     #thrown = /** @type {unknown[]} */ ([]);
     #said = /** @type {string | null} */ (null);
+    #heard = /** @type {string[] | null} */ (null);
+    #robots = /** @type {Robots | null} */ (null);
     #f64 = new Float64Array(0);
     #i32 = new Int32Array(0);
     #buffers = /** @type {{pointer: number, size: number}[]} */ ([]);
@@ -51,7 +57,7 @@ export class Engine {
         this.base = c.malloc(kFrame * kFrames);
         this.#last = this.base + kFrame * (kFrames - 1);
         c.on_message((/** @type {string} */ channel, /** @type {number} */ _, /** @type {string} */ text) => {
-            if (channel === 'message') on_message(text);
+            if (channel === 'message') this.#heard ? this.#heard.push(text) : on_message(text);
             else this.#said ??= text;
         });
     }
@@ -69,6 +75,15 @@ export class Engine {
      * @returns {World}
      */
     loadWorld(bytes) { return adopt(this, bytes); }
+
+    /**
+     * Reads robots from URDF and MJCF. Throws where the engine was loaded without them.
+     * @returns {Robots}
+     */
+    get robots() {
+        if (!this.c.dRobotModelLoad) throw new EpodeError('failed', 'this engine reads no robots: load({robots: true}) loads one that does');
+        return this.#robots ??= new Robots(this);
+    }
 
     /** The bytes of WebAssembly's memory that the engine has. It grows and never shrinks. */
     get memorySize() { return this.c.memory.buffer.byteLength; }
@@ -91,6 +106,22 @@ export class Engine {
      */
     check(label) {
         if (this.#said !== null || this.#thrown.length > 0) this.#fail(label);
+    }
+
+    /**
+     * For the package alone: a call, and what the library reports in it.
+     * @template T
+     * @param {() => T} call
+     * @returns {{result: T, said: string[]}}
+     */
+    heard(call) {
+        const before = this.#heard, said = /** @type {string[]} */ ([]);
+        this.#heard = said;
+        try {
+            return {result: call(), said};
+        } finally {
+            this.#heard = before;
+        }
     }
 
     #fail(/** @type {string} */ label) {

@@ -12,6 +12,9 @@ export {Geom} from './geom.mjs';
 export * from './geoms.mjs';
 export {BodyStates, Snapshot} from './states.mjs';
 export {EpodeError} from './errors.mjs';
+export {RobotError, Robots} from './robots.mjs';
+export {RobotModel} from './robot_model.mjs';
+export {Robot} from './robot.mjs';
 /** @typedef {import('./engine.mjs').LoadOptions} LoadOptions */
 /** @typedef {import('./queries.mjs').Filter} Filter */
 /** @typedef {import('./world.mjs').WorldOptions} WorldOptions */
@@ -24,6 +27,11 @@ export {EpodeError} from './errors.mjs';
 /** @typedef {import('./fields.mjs').CharacterSettings} CharacterSettings */
 /** @typedef {import('./fields.mjs').VehicleSettings} VehicleSettings */
 /** @typedef {import('./fields.mjs').VehicleWheel} VehicleWheel */
+/** @typedef {import('./robots.mjs').RobotOptions} RobotOptions */
+/** @typedef {import('./robot_model.mjs').ReportLine} ReportLine */
+/** @typedef {import('./robot_model.mjs').RobotLink} RobotLink */
+/** @typedef {import('./robot_model.mjs').RobotJoint} RobotJoint */
+/** @typedef {import('./robot_model.mjs').RobotActuator} RobotActuator */
 /** @typedef {import('./checks.mjs').VectorLike} VectorLike */
 /** @typedef {import('./checks.mjs').Vector3} Vector3 */
 /** @typedef {import('./checks.mjs').Quaternion} Quaternion */

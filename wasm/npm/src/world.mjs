@@ -22,6 +22,7 @@ import {get_structures, size_of} from './structures.mjs';
 /** @import {JointKinds, JointKindOptions} from './joints.mjs' */
 /** @import {BodyOptions, GeomOptions, WorldOptions as SettableOfWorld} from './methods.mjs' */
 /** @import {ShapeSizes} from './shapes.mjs' */
+/** @import {Robot} from './robot.mjs' */
 /** @import {VectorLike} from './checks.mjs' */
 
 /** @typedef {object} NewWorldOptions
@@ -53,6 +54,8 @@ export class World extends WorldStates {
      */
     constructor(engine, pointer) {
         super(engine, pointer);
+        /** For the package alone: they end with the world. @type {Set<Robot>} */
+        this.robots = new Set();
         if (pointer) this.set_alive(true);
     }
 
@@ -237,6 +240,7 @@ export class World extends WorldStates {
     /** Destroys the world and all that is in it. */
     destroy() {
         const e = this.engine, {handle, space} = this;
+        for (const robot of this.robots) robot.destroy();
         e.c.dWorldDestroy(handle);
         e.check('World.destroy');
         this.set_alive(false);

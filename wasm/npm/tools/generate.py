@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
-"""generate.py FOLDER EXPORTS: writes to the folder what the npm package has of the public headers: methods of its classes (methods.mjs, joints.mjs,
+"""generate.py FOLDER EXPORTS WITH_ROBOTS: writes to the folder what the npm package has of the public headers: methods of its classes (methods.mjs, joints.mjs,
 geoms.mjs), enumerations and structures as its objects have them (enums.mjs, fields.mjs), with the headers' texts as JSDoc, of which tsc
-makes the declarations; and to the file EXPORTS the linker's options for the C functions that the package calls. A function that no rule covers stops it.
+makes the declarations; and to the files EXPORTS and WITH_ROBOTS the linker's options for the C functions that the package calls, without and with
+those of robots. A function that no rule covers stops it.
 
 What reads the headers is Rust's and Python's: rust/tools/raw.py, tools/header_docs.py."""
 import dataclasses
@@ -233,7 +234,9 @@ def main():
     generated = files(api)
     for name, text in generated.items():
         (folder / name).write_text(text, encoding="utf-8")
-    pathlib.Path(sys.argv[2]).write_text("".join(f"--export={name}\n" for name in exported(api, generated)), encoding="ascii")
+    names = exported(api, generated)
+    for path, its in ((sys.argv[2], [n for n in names if n not in api.of_robots]), (sys.argv[3], names)):
+        pathlib.Path(path).write_text("".join(f"--export={name}\n" for name in its), encoding="ascii")
 
 
 if __name__ == "__main__":
