@@ -10,7 +10,7 @@ import {mkdir, readFile} from 'node:fs/promises';
 import {createServer} from 'node:http';
 import {createRequire} from 'node:module';
 import path from 'node:path';
-import {pathToFileURL} from 'node:url';
+import {fileURLToPath, pathToFileURL} from 'node:url';
 import {scenes} from '../../wasm/playground/src/scenes/all.mjs';
 import {Simulation} from '../../wasm/playground/src/simulation.mjs';
 
@@ -117,6 +117,41 @@ async function hand() {
     await page.close();
 }
 
+// Files from a button and from a drop, a file that is wrong, and sliders that move the robot.
+async function own_robot() {
+    const page = await open(kSizes.wide, `${origin}#scene=robot`), models = new URL('../robots/models/', import.meta.url);
+    const inside = (code, value) => page.evaluate(code, value);
+    await page.setInputFiles('#robot-files', [fileURLToPath(new URL('arm.urdf', models)), fileURLToPath(new URL('meshes/cube.stl', models))]);
+    await page.waitForSelector('#slider-q1');
+    await page.locator('#slider-q1').fill('1');
+    await simulated(page, 2);
+    const elbow = await inside(() => window.playground.simulation.hooks.robot.positions[1]);
+    assert.ok(Math.abs(elbow - 1) < 0.2, `the elbow is at ${elbow}`);
+    await shot(page, 'own-robot');
+    const text = '<mujoco>\n<worldbody><body><geom type="bax" size="1"/></body></worldbody></mujoco>';
+    await inside(wrong => {
+        const transfer = new DataTransfer();
+        transfer.items.add(new File([wrong], 'wrong.xml'));
+        document.dispatchEvent(new DragEvent('drop', {dataTransfer: transfer, bubbles: true, cancelable: true}));
+    }, text);
+    await page.waitForSelector('#problem:not([hidden])');
+    assert.match(await page.textContent('#problem'), /^wrong\.xml:2: /);
+    assert.equal(await page.locator('#slider-q1').count(), 1);
+    await shot(page, 'wrong-robot');
+    await page.close();
+}
+
+async function embedded() {
+    const page = await open({width: 760, height: 384}, `${origin}#embed=1&scene=arch&friction=0.5`);
+    assert.equal(await page.evaluate(() => window.playground.simulation.values.friction), 0.5);
+    assert.equal(await page.isVisible('header'), false);
+    await page.locator('#slider-friction').fill('0.1');
+    assert.equal(await page.evaluate(() => window.playground.simulation.values.friction), 0.1);
+    await simulated(page, 0.5);
+    await shot(page, 'embedded');
+    await page.close();
+}
+
 async function accessible() {
     for (const [size, viewport] of Object.entries(kSizes)) {
         for (const colorScheme of ['light', 'dark']) {
@@ -152,13 +187,13 @@ async function same_bits() {
         playground.restart();
         return (${poses})(playground.simulation);
     })()`);
-    const {load} = await import(path.resolve(EPODE_PACKAGE, 'lib/index.mjs')), source = await readFile(path.resolve(EPODE_WEB, 'epode.wasm'));
+    const {load} = await import(path.resolve(EPODE_PACKAGE, 'lib/index.mjs')), source = await readFile(path.resolve(EPODE_WEB, 'epode_robots.wasm'));
     assert.deepEqual(there, poses(new Simulation(await load({source}), 'pile')));
     await page.close();
 }
 
 try {
-    for (const check of [from_a_file, same_bits, controls, hand, accessible]) await check();
+    for (const check of [from_a_file, same_bits, controls, hand, own_robot, embedded, accessible]) await check();
     for (const size of Object.keys(kSizes)) await every_scene(size);
     assert.deepEqual(complaints, []);
     console.log(`the playground works in chromium ${browser.version()}: ${Object.keys(scenes).length} scenes, wide and narrow`);

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The playground's scenes without a browser: node --test playground_test.mjs, with EPODE_WEB=the folder that has epode.wasm and
+// The playground's scenes without a browser: node --test playground_test.mjs, with EPODE_WEB=the folder that has epode_robots.wasm and
 // EPODE_PACKAGE=that of the npm package.
 import assert from 'node:assert/strict';
 import {readFile} from 'node:fs/promises';
 import {test} from 'node:test';
+import {with_aliases} from '../../wasm/playground/src/robot_files.mjs';
 import {link_of, read_link} from '../../wasm/playground/src/link.mjs';
 import {scenes} from '../../wasm/playground/src/scenes/all.mjs';
+import {choose, robot} from '../../wasm/playground/src/scenes/robot.mjs';
 import {kMethods, Simulation, values_of} from '../../wasm/playground/src/simulation.mjs';
 
 const {load} = await import(`${process.env.EPODE_PACKAGE}/lib/index.mjs`);
-const messages = [], engine = await load({source: await readFile(`${process.env.EPODE_WEB}/epode.wasm`), onMessage: text => messages.push(text)});
+const messages = [], engine = await load({source: await readFile(`${process.env.EPODE_WEB}/epode_robots.wasm`), onMessage: text => messages.push(text)});
 const names = Object.keys(scenes);
 
 function with_scene(scene, given, use, method) {
@@ -35,7 +37,7 @@ const floor_of = scene => ({boats: -4, buggy: -4}[scene] ?? 0);
 
 for (const scene of names) {
     test(`${scene}: six seconds in which nothing sinks, flies off or makes energy of nothing`, () => with_scene(scene, {}, simulation => {
-        const has_motor = ['buggy', 'quadruped', 'drum', 'boats'].includes(scene);
+        const has_motor = ['buggy', 'quadruped', 'robot', 'drum', 'boats'].includes(scene);
         let first = null, balls = 0, gained = 0;
         run(simulation, 6, () => {
             const {kinetic, potential} = simulation.energy(), all = kinetic + potential;
@@ -98,6 +100,36 @@ test('the robot walks forward, backwards, and does not fall', () => {
         assert.ok(trunk.position[0] * Math.sign(stride) > 0.4, `stride ${stride}: ${trunk.position[0]} m`);
         assert.ok(trunk.position[2] > 0.28 && trunk.vectorToWorld([0, 0, 1])[2] > 0.9, `at ${trunk.position}`);
     });
+});
+
+const models = new URL('../robots/models/', import.meta.url), read = async name => new Uint8Array(await readFile(new URL(name, models)));
+
+test('the arm goes where its sliders say, and a slider is taken as it runs', () => with_scene('robot', {}, simulation => {
+    const {robot: arm} = simulation.hooks, joint = name => arm.positions[arm.model.joints[arm.model.findJoint(name)].position];
+    run(simulation, 3);
+    assert.ok(Math.abs(joint('elbow') - simulation.values.u2) < 0.1, `elbow at ${joint('elbow')}`);
+    assert.ok(simulation.set('u0', 1.2));
+    run(simulation, 3);
+    assert.ok(Math.abs(joint('turn') - 1.2) < 0.05, `turned to ${joint('turn')}`);
+}));
+
+test('a robot of a URDF without actuators gets a slider a joint, stands on the floor, and its meshes are found without their folders', async () => {
+    const before = {...robot}, files = with_aliases(new Map([['arm.urdf', await read('arm.urdf')], ['cube.stl', await read('meshes/cube.stl')]]));
+    assert.deepEqual([...files.keys()], ['arm.urdf', 'cube.stl', 'models/meshes/cube.stl']);
+    choose(engine, files, {path: 'arm.urdf', fixedBase: true, inertiaFromShapes: true});
+    assert.deepEqual(Object.values(robot.sliders).map(({label}) => label), ['shoulder, rad', 'elbow, rad', 'left_slide, m', 'right_slide, m']);
+    with_scene('robot', {q0: -1, q1: 0.5}, simulation => {
+        run(simulation, 2);
+        assert.ok(is_sound(simulation) && lowest(simulation) > 0);
+        const [shoulder, elbow] = simulation.hooks.robot.positions;
+        assert.ok(Math.abs(shoulder + 1) < 0.15 && Math.abs(elbow - 0.5) < 0.15, `${shoulder}, ${elbow}`);
+    });
+    const {sliders} = robot;
+    assert.throws(() => choose(engine, new Map([['bad.urdf', new TextEncoder().encode('<robot name="r">\n<link/></robot>')]])), /^RobotError?|bad\.urdf:2: /);
+    assert.equal(robot.sliders, sliders);
+    with_scene('robot', {}, simulation => assert.ok(is_sound(run(simulation, 0.1))));
+    Object.assign(robot, before);
+    messages.splice(0);
 });
 
 test('the buggy keeps to its circle and stays on its wheels', () => with_scene('buggy', {}, simulation => {

@@ -13,7 +13,7 @@ build=$PWD/build/wasm
 cmake --preset wasm >/dev/null
 programs=(golden_tests)
 [ "${1:-}" = --golden ] || programs+=(unit_tests contract_tests physics_tests state_tests)
-cmake --build --preset wasm --target ode epode_module epode_npm "${programs[@]}"
+cmake --build --preset wasm --target ode epode_module epode_npm epode_robots_module "${programs[@]}"
 wasi() { node --no-warnings tests/wasm/wasi.mjs "$@"; }
 
 begin=$SECONDS

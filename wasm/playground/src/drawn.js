@@ -14,7 +14,7 @@ const kind_of = geom => geom.constructor.kind;
 // Geoms of one key look alike.
 function key_of(geom) {
     const sizes = geom.lengths ?? geom.radii ?? geom.params ?? geom.radius;
-    return ['convex', 'heightfield'].includes(kind_of(geom)) ? `${kind_of(geom)} ${geom.handle}` : `${kind_of(geom)} ${JSON.stringify(sizes)}`;
+    return ['convex', 'heightfield', 'triMesh'].includes(kind_of(geom)) ? `${kind_of(geom)} ${geom.handle}` : `${kind_of(geom)} ${JSON.stringify(sizes)}`;
 }
 
 // Triangles as points, normals and corners; those of a sphere point away from its middle.

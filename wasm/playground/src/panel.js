@@ -39,6 +39,7 @@ export class Panel {
         const {scene, method} = this.show.simulation, {title, about} = scenes[scene];
         for (const link of element('scenes').children) link.id === `scene-${scene}` ? link.setAttribute('aria-current', 'true') : link.removeAttribute('aria-current');
         element(`scene-${scene}`).scrollIntoView({block: 'nearest', inline: 'center'});
+        element('problem').hidden = true;
         element('title').textContent = title;
         element('about').textContent = about;
         element('method').value = method;
@@ -70,7 +71,7 @@ export class Panel {
         this.keep_link();
     }
 
-    keep_link() { history.replaceState(null, '', link_of(this.show.simulation)); }
+    keep_link() { if (!document.body.classList.contains('embedded')) history.replaceState(null, '', link_of(this.show.simulation)); }
 
     async share() {
         this.keep_link();

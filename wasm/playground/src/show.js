@@ -13,15 +13,15 @@ const kMaxSimulated = 1 / 15, kMaxBusy = 0.03;  // s in a picture: simulated, an
 
 export class Show {
     constructor(engine, canvas, chosen, each_picture) {
-        Object.assign(this, {engine, canvas, each_picture, playing: true, keys: null, steps: 0, cost: 0, interval: 1 / 60});
+        Object.assign(this, {engine, canvas, each_picture, playing: true, is_seen: true, keys: null, steps: 0, cost: 0, interval: 1 / 60});
         this.start(chosen);
         this.hand = new Hand(this);
         requestAnimationFrame(now => this.picture(now));
     }
 
-    // chosen: {scene, values, method}. The view stays where the scene is the same.
-    start({scene, values, method}) {
-        const before = this.simulation, view = before?.scene === scene ? undefined : scenes[scene].view;
+    // chosen: {scene, values, method}. The view stays where the scene is the same, unless what it shows is new.
+    start({scene, values, method}, is_new = false) {
+        const before = this.simulation, view = before?.scene === scene && !is_new ? undefined : scenes[scene].view;
         this.hand?.let_go();
         this.simulation = new Simulation(this.engine, scene, values, method);
         if (!this.stage) this.begin_stage(view); else this.stage.present(this.simulation, view);
@@ -66,6 +66,11 @@ export class Show {
     }
 
     picture(now) {
+        if (!this.is_seen) {
+            this.before = undefined;
+            requestAnimationFrame(next => this.picture(next));
+            return;
+        }
         const passed = this.before === undefined ? 0 : (now - this.before) / 1000;
         this.before = now;
         if (passed > 0) this.interval += 0.1 * (Math.min(passed, 1) - this.interval);

@@ -6,6 +6,7 @@
 //   before_step(h, time, simulation)   true: bodies were created or destroyed
 //   set: {name: value => ...}          takes a slider's value as the scene runs
 //   follow: body                       the view goes with it
+//   robot: Robot                       of the package, built from files
 //   driven: true                       the arrow keys, `simulation.keys`, drive something
 //   water: {height(x, y, time), side}  is drawn as water
 // A scene may ask for a rate of steps, Hz, in place of 60.
@@ -19,10 +20,11 @@ import {drum} from './drum.mjs';
 import {pile} from './pile.mjs';
 import {quadruped} from './quadruped.mjs';
 import {ragdolls} from './ragdolls.mjs';
+import {robot} from './robot.mjs';
 import {ropes} from './ropes.mjs';
 import {tops} from './tops.mjs';
 import {tower} from './tower.mjs';
 import {wall} from './wall.mjs';
 import {wrecker} from './wrecker.mjs';
 
-export const scenes = {wall, pile, ragdolls, buggy, quadruped, tower, boats, bridge, ropes, dominoes, arch, cradle, wrecker, drum, tops};
+export const scenes = {wall, pile, ragdolls, buggy, quadruped, robot, tower, boats, bridge, ropes, dominoes, arch, cradle, wrecker, drum, tops};
