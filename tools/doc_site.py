@@ -3,11 +3,13 @@
 # Copyright (c) 2026 The Epode authors
 """Puts the sources of the site together in build/site-src, from what is there: the Markdown of docs/, a page for each
 chapter of the reference (from Doxygen's XML in build/site-xml, through breathe), and a gallery of the pictures in
-out/gallery (replays go to build/site-extra). Links to files that are no pages (sources, scripts) become plain text, since the site stands alone.
+out/gallery (replays go to build/site-extra). A mark <!-- live: scene=arch&friction=0.5 | What is seen. --> of a page becomes that scene of the
+playground, running, where the playground has been built (wasm/playground/build). Links to files that are no pages (sources, scripts) become plain text, since the site stands alone.
 
 doc_site.py            writes build/site-src
 doc_site.py --check    every public function of include/ode has its entry in the built pages of build/site"""
 import argparse
+import html
 import pathlib
 import re
 import shutil
@@ -21,6 +23,8 @@ import header_docs
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DOCS, SOURCE, XML, SITE = ROOT / "docs", ROOT / "build/site-src", ROOT / "build/site-xml/xml", ROOT / "build/site"
 GALLERY, EXTRA = ROOT / "out/gallery", ROOT / "build/site-extra"
+PLAYGROUND, SCENES = ROOT / "build/wasm/web/index.html", ROOT / "wasm/playground/src/scenes"
+LIVE = re.compile(r"^<!-- live: ([\w&=.-]+) \| (.+) -->$", re.M)
 # The first page of Doxygen's own manual; here docs/guide and the parts below stand for it.
 LEFT_OUT = ("reference.md",)
 
@@ -36,13 +40,37 @@ def plain_links(text, page):
     return re.sub(r"(?<!!)\[([^\]]+)\]\(([^)\s]+)\)", kept, text)
 
 
+def check_live(link, page):
+    """The scene of a mark and its sliders must be the playground's."""
+    given = dict(part.split("=", 1) for part in link.split("&"))
+    scene = SCENES / f"{given.pop('scene', '')}.mjs"
+    text = scene.read_text(encoding="utf-8") if scene.exists() else ""
+    unknown = [name for name in given if name != "stepper" and f"{name}: slider(" not in text]
+    if not text or unknown:
+        raise SystemExit(f"{page}: live: {link}: " + (f"no slider {', '.join(unknown)}" if text else "no such scene"))
+
+
+def with_scenes(text, page):
+    """Markdown with its live marks as frames that run the playground's scenes."""
+    def frame(match):
+        check_live(match[1], page)
+        if not PLAYGROUND.exists():
+            return ""
+        up = "../" * len(page.relative_to(DOCS).parent.parts)
+        link, words = match[1].replace("&", "&amp;"), html.escape(match[2])
+        return (f'<figure class="live"><iframe loading="lazy" title="{words}" src="{up}playground.html#embed=1&amp;{link}"></iframe>'
+                f'<figcaption>{words} <a href="{up}playground.html#{link}">Whole page</a></figcaption></figure>')
+    return LIVE.sub(frame, text)
+
+
 def copy_pages():
     for page in sorted(DOCS.rglob("*.md")):
         if page.name in LEFT_OUT:
             continue
         place = SOURCE / page.relative_to(DOCS)
         place.parent.mkdir(parents=True, exist_ok=True)
-        place.write_text(plain_links(doc_python.with_recipes(page.read_text(encoding="utf-8")), page), encoding="utf-8")
+        text = with_scenes(doc_python.with_recipes(page.read_text(encoding="utf-8")), page)
+        place.write_text(plain_links(text, page), encoding="utf-8")
     for folder in DOCS.rglob("images"):
         shutil.copytree(folder, SOURCE / folder.relative_to(DOCS))
     shutil.copytree(DOCS / "site" / "_static", SOURCE / "_static")
@@ -199,6 +227,8 @@ def write_gallery():
     """Pictures and replays, as many as are there: scripts/docs --gallery makes them."""
     shutil.rmtree(EXTRA, ignore_errors=True)
     (EXTRA / "replays").mkdir(parents=True)
+    if PLAYGROUND.exists():
+        shutil.copy(PLAYGROUND, EXTRA / "playground.html")
     page = ("# Gallery\n\nPictures by the library's own renderer, without a screen; replays play in this browser. `demos/gallery`, "
             "`epode run SCENE --picture FILE` and `--html FILE` make them ([recordings](recording.md)).\n\n"
             "![A brick wall hit by a cannon ball](images/wall.png)\n\n")
