@@ -32,7 +32,7 @@ bool is_output(Role role)
 bool writes_reals(const char* name)
 {
     for (const char* part :
-         {"Report", "GetLinks", "GetJoints", "GetSensors", "TakePicture", "Init", "CastRays"})
+         {"Report", "GetLinks", "GetJoints", "GetActuators", "GetSensors", "TakePicture", "Init", "CastRays"})
         if (has(name, part)) return false;
     return true;
 }
