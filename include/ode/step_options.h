@@ -65,12 +65,13 @@ ODE_API int dWorldGetManifoldFriction(dWorldID world);
 ODE_API void dWorldSetExactRotation(dWorldID world, int mode);
 ODE_API int dWorldGetExactRotation(dWorldID world);
 
-/** - dWorldSetJointCoordinates: Choose whether dWorldStep solves islands of robots in the coordinates of their joints (mode 1, dDefaultsRobot) or of
-      their bodies (mode 0, the default): joints stay closed, energy does not drift, rotation is exact, and a robot's step costs a fraction. So where
-      most joints are hinges, sliders, balls and fixed ones that have no springs of their own and are closed to the tolerance of dWorldSetStepProjection
-      (joints that close loops, and those of other types, are solved with them), bodies turn by less than 2 rad in a step, no kinematic body that moves
-      holds a joint, and loads do not make light links swing faster than it follows; contacts, stops, motors and drives may act. Other islands are solved
-      as in mode 0: dIslandStepReport::method says how. Other values are refused, as is a call during a step.
+/** - dWorldSetJointCoordinates: Choose whether dWorldStep solves islands of robots in the coordinates of their joints (mode 1, dDefaultsRobot and
+      dDefaultsGame) or of their bodies (mode 0, the default): joints stay closed, energy does not drift, rotation is exact, and a robot's step costs a
+      fraction. So where most joints are hinges, sliders, balls and fixed ones that have no springs of their own and are closed to the tolerance of
+      dWorldSetStepProjection (joints that close loops, and those of other types, are solved with them), bodies turn by less than 2 rad in a step, no
+      kinematic body that moves holds a joint, and loads do not make light links swing faster than it follows; contacts, stops, motors and drives may
+      act, but where dWorldStepHybrid limits the time of exact steps, no contacts and few of the others. Other islands are solved as in mode 0:
+      dIslandStepReport::method says how. Other values are refused, as is a call during a step.
     - dWorldGetJointCoordinates: The mode that dWorldSetJointCoordinates has set, 0 at first. [ours] */
 ODE_API void dWorldSetJointCoordinates(dWorldID world, int mode);
 ODE_API int dWorldGetJointCoordinates(dWorldID world);

@@ -43,7 +43,7 @@ constexpr Parameter kParameters[] = {
     PARAMETER(dReal,    HybridBudget,            1,           1,              1,             "time of exact solutions in dWorldStepHybrid, times that of substeps"),
     PARAMETER(int,      ExactSubsteps,           1,           1,              1,             "exact solves in a step"),
     PARAMETER(int,      ExactRotation,           0,           1,              1,             "1: spinning bodies keep energy and angular momentum"),
-    PARAMETER(int,      JointCoordinates,        0,           0,              1,             "1: dWorldStep solves robots in the coordinates of their joints"),
+    PARAMETER(int,      JointCoordinates,        0,           1,              1,             "1: dWorldStep solves robots in the coordinates of their joints"),
     PARAMETER(int,      StepProjection,          0,           0,              2,             "Newton iterations that close joints; 8 under loads that open them"),
     PARAMETER(dReal,    StepProjectionTolerance, kTolerance,  kTolerance,     kTolerance,    "error that projection leaves"),
     PARAMETER(dReal,    StepWarmStarting,        1,           1,              1,             "share of the last forces that a step starts from"),

@@ -13,7 +13,8 @@ constexpr double kCoulomb = sizeof(Real) == 8 ? 1e-7 : 1e-5;
 
 }  // namespace
 
-bool TreeSolve::prepare(RowSystem& system, const JointTree& tree, std::span<const bool> closing, Arena& arena)
+bool TreeSolve::prepare(RowSystem& system, const JointTree& tree, std::span<const bool> closing, int max_rows,
+                        Arena& arena)
 {
     system_ = &system, tree_ = &tree, closing_ = closing;
     const int n = tree.dofs(), links = int(tree.links().size());
@@ -26,7 +27,7 @@ bool TreeSolve::prepare(RowSystem& system, const JointTree& tree, std::span<cons
         return LinkInertia{body.mass, body.inertia};
     });
     if (!collect(arena)) return false;
-    fits_ = int(rows_.size()) <= kMaxRows;
+    fits_ = int(rows_.size()) <= max_rows;
     if (!fits_) return true;
     for (std::size_t i = 0; i < scratch_.size(); ++i) {
         const SolverBody& body = system.bodies[std::size_t(tree.link(int(i)).body)];

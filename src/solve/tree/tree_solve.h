@@ -28,8 +28,9 @@ class TreeSolve {
     static constexpr int kMaxRows = 120;  // besides those of joints and those that yield
 
     // False: out of memory. Of a tree (JointTree::build) with the system's v* in its bodies. closing: of each row of the system, whether it
-    // holds a joint together that is no branch.
-    bool prepare(RowSystem& system, const JointTree& tree, std::span<const bool> closing, Arena& arena);
+    // holds a joint together that is no branch. max_rows: more do not fit.
+    bool prepare(RowSystem& system, const JointTree& tree, std::span<const bool> closing, int max_rows,
+                 Arena& arena);
     bool fits() const { return fits_; }  // false: there are too many rows
 
     // Is no eigenvalue of H^-1 T^T S T above that one? S, of links: what a step adds to moments of inertia, which moves no centre. Behind

@@ -28,6 +28,14 @@ LinkJoint kind_of(const Joint& joint)
     }
 }
 
+// Work is counted for rows in bodies only, which give up where it becomes too much.
+bool has_budget(const IslandRun& run)
+{
+    return !run.methods().empty() && run.methods().front().max_work < kInf;
+}
+
+bool touches(const Island& island) { return !island.manifolds.empty() || island.plain_contacts > 0; }
+
 bool is_still(const RowSystem& system, int body)
 {
     if (body < 0 || system.bodies[std::size_t(body)].inv_mass > 0) return true;
@@ -61,7 +69,8 @@ class TreeRun {
         if (closing_.size() > rows_of_branches()) return TreeOutcome::kNotInTree;
         if (!motion_.begin(run_.world, work_, tree_, solve_, closing_, arena_)) return TreeOutcome::kNoMemory;
         if (motion_.is_too_long()) return TreeOutcome::kNotInTree;
-        if (!solve_.prepare(system_, tree_, closing_.flags(), arena_)) return TreeOutcome::kNoMemory;
+        if (!solve_.prepare(system_, tree_, closing_.flags(), most_rows(), arena_))
+            return TreeOutcome::kNoMemory;
         if (!solve_.fits()) return TreeOutcome::kNotInTree;
         if (!resolves_swings()) return failed(TreeOutcome::kNotInTree);
         SolveReport report;
@@ -92,6 +101,9 @@ class TreeRun {
         }
         return solve_.resolves(of_links, double(kResolvedExactly));
     }
+
+    // Besides those of joints: they make a dense problem.
+    int most_rows() const { return has_budget(run_) ? kFewRows : TreeSolve::kMaxRows; }
 
     // That joint coordinates leave out.
     int rows_of_branches() const
@@ -157,6 +169,7 @@ class TreeRun {
     }
 
     static constexpr Real kLeastArm = Real(0.01);  // m
+    static constexpr int kFewRows = 24;            // some 50 microseconds
 
     IslandRun& run_;
     IslandWork& work_;
@@ -173,7 +186,8 @@ class TreeRun {
 
 bool may_be_tree(const IslandRun& run)
 {
-    return run.world.joint_coordinates && !run.world.acts_as_ode() && !run.work.island.joints.empty();
+    return run.world.joint_coordinates && !run.world.acts_as_ode() && !run.work.island.joints.empty() &&
+           !(has_budget(run) && touches(run.work.island));
 }
 
 TreeOutcome step_in_tree(IslandRun& run)

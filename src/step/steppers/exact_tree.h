@@ -4,7 +4,7 @@
 // An exact step of an island of robots in joint coordinates (dWorldSetJointCoordinates): solve/tree for velocities, step/island/tree for
 // poses. Hinges, sliders, balls and fixed joints that are rigid and closed to the tolerance of the projection become branches of trees;
 // those that close loops and all others are rows over them (step/island/tree/closing_rows.h). An island is stepped so if the branches leave
-// out more rows than there are such rows, and if the step resolves the swinging of its light links and the turns of its bodies; all
+// out more rows than there are such rows (in a hybrid step with a budget: also if nothing touches and few rows are left), and if the step resolves the swinging of its light links and the turns of its bodies; all
 // other islands in the way of exact.cpp.
 #pragma once
 

@@ -243,7 +243,7 @@ TEST(JointCoordinates, states_carry_on_with_the_same_bits)
     EXPECT_EQ(seen[0], seen[1]);
 }
 
-TEST(JointCoordinates, mode_is_off_at_first_on_for_robots_and_refuses_others)
+TEST(JointCoordinates, mode_is_off_at_first_on_in_presets_and_refuses_others)
 {
     Sim sim;
     EXPECT_EQ(dWorldGetJointCoordinates(sim.world), 0);
@@ -251,8 +251,10 @@ TEST(JointCoordinates, mode_is_off_at_first_on_for_robots_and_refuses_others)
     EXPECT_EQ(dWorldGetJointCoordinates(sim.world), 1);
     dWorldSetJointCoordinates(sim.world, 2);
     EXPECT_EQ(dWorldGetJointCoordinates(sim.world), 1);
-    dWorldUseDefaults(sim.world, dDefaultsGame);
+    dWorldUseDefaults(sim.world, dDefaultsOde);
     EXPECT_EQ(dWorldGetJointCoordinates(sim.world), 0);
+    dWorldUseDefaults(sim.world, dDefaultsGame);
+    EXPECT_EQ(dWorldGetJointCoordinates(sim.world), 1);
     dWorldUseDefaults(sim.world, dDefaultsRobot);
     EXPECT_EQ(dWorldGetJointCoordinates(sim.world), 1);
 }
