@@ -74,7 +74,7 @@ test('an engine without robots says how to get them', async () => {
     assert.throws(() => plain.robots, error => error instanceof EpodeError && /load\(\{robots: true\}\)/.test(error.message));
 });
 
-test('a model tells its links, joints, actuators and poses by the names of the file', () => with_model(kRobots.walker.files, model => {
+test('a model says its links, joints, actuators and poses by the names of the file', () => with_model(kRobots.walker.files, model => {
     assert.deepEqual(model.links.slice(1).map(({name}) => name), ['trunk', 'thigh', 'foot', 'tail', 'ball']);
     assert.deepEqual(model.joints.map(({name, kind}) => `${name} ${kind}`), ['lift slide', 'pitch hinge', 'hip hinge', 'ankle hinge', 'tail ball', 'ball free']);
     assert.deepEqual(model.actuators.map(({name, joint, low, high}) => [name, joint, low, high]),
