@@ -130,6 +130,11 @@ enum {
 ODE_API int dJointSetStopRate(dJointID joint, int axis, dReal rate);
 ODE_API dReal dJointGetStopRate(dJointID joint, int axis);
 
+/** Returns what the stops of an axis have exerted along it, N or N m, the mean over the last step in which the joint acted:
+    above 0 where its position is to grow. 0 of an axis within its stops, and after a state was set. Refused: an axis without stops.
+    [ours] */
+ODE_API dReal dJointGetStopForce(dJointID joint, int axis);
+
 /** - dJointSetSpring: Let the rows that have the joint's own ERP and CFM be springs with dampers, N/m and
       N s/m: the anchor of a ball, the place of a fixed joint, the rod of a double ball or double hinge, the
       suspension of a hinge-2 (there dParamSuspensionERP and CFM), in every step and substep, whatever its

@@ -393,6 +393,7 @@ class dJointExt : public Type {
     }
     int setStopRate(int axis, dReal rate) { return dJointSetStopRate(this->id(), axis, rate); }
     dReal getStopRate(int axis) const { return dJointGetStopRate(this->id(), axis); }
+    dReal getStopForce(int axis) const { return dJointGetStopForce(this->id(), axis); }
     int getStopSpring(int axis, dReal* stiffness, dReal* damping) const
     {
         return dJointGetStopSpring(this->id(), axis, stiffness, damping);

@@ -249,6 +249,13 @@ dReal dJointGetStopRate(dJointID j, int axis)
     return stops->stop_rate;
 }
 
+dReal dJointGetStopForce(dJointID j, int axis)
+{
+    AXIS_OR(0);
+    EPODE_USER_SAY(stops_of(*joint, axis), "the axis has no stops", 0);
+    return joint->type->stop_force(*joint, axis);
+}
+
 int dJointSetSpring(dJointID j, dReal stiffness, dReal damping)
 {
     JOINT_OR(0);

@@ -80,6 +80,7 @@ struct JointType {
     // A new joint, neither linked nor attached, as the stream has it. Null: no memory, or the stream fails.
     Joint* (*make)(World&, StructureStream&);
     void (*destroy)(Joint&);
+    Real (*stop_force)(Joint&, int i);  // of an axis, in the sense in which its position is read
 };
 
 struct Joint : Tagged {

@@ -75,6 +75,7 @@ void LimitMotor::state(const World& world, StateStream& stream)
                        (cfm_chosen ? 1u : 0u) | (stop_chosen ? 2u : 0u) | (stop_spring.acts ? 4u : 0u) |
                            (turns.continuous ? 8u : 0u) | (turns.follows ? 16u : 0u));
     if (!stream.stores()) return;
+    stop_row_ = -1;
     cfm_chosen = bits & 1, stop_chosen = bits & 2, stop_spring.acts = bits & 4;
     turns.continuous = bits & 8, turns.follows = bits & 16;
 }
@@ -135,8 +136,10 @@ void LimitMotor::emit_linear(const Joint& j, RowWriter& out, Vec3 axis, Real pos
 Row* LimitMotor::emit(const Joint& j, RowWriter& out, const Jacobian& jacobian, Real value, Real rate)
 {
     if (!out.info().inner) note(value, rate);
+    stop_row_ = -1;
     const bool unlimited_pull = pulls_away() && fmax == kInf && lo != hi;
     if (stop_ == Stop::kNone || unlimited_pull) return emit_motor(out, jacobian);
+    stop_row_ = short(out.count());
     Row& row = write_stop(j, out, jacobian, value);
     if (fmax > 0 && fmax < kInf && lo != hi && !out.info().inner) push(j, out, jacobian);
     return &row;

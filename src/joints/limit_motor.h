@@ -65,6 +65,12 @@ struct LimitMotor {
     {
         return counts_turns(j) ? turns.of(angle, lo, hi) : angle;
     }
+    // What the stop has exerted, the mean over the last step in which the joint acted; 0 where no stop did.
+    Real stop_force(const LastingJoint& j) const
+    {
+        const bool acted = stop_row_ >= 0 && stop_row_ < int(j.impulse_rows) && j.impulse_step > 0;
+        return acted ? j.impulse[stop_row_] / j.impulse_step : 0;
+    }
     // The same, which becomes that of the last step when a step begins.
     Real follow(const Joint& j, const RowWriter& out, Real angle);
 
@@ -88,6 +94,7 @@ struct LimitMotor {
 
     Stop stop_ = Stop::kNone;  // of the present step
     bool has_restitution_ = false;
+    short stop_row_ = -1;  // among the joint's rows; -1: none of this step
     Real restitution_velocity_ = 0;
 };
 

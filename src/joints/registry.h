@@ -115,6 +115,10 @@ constexpr JointType describe_joint(const char* name)
             motor.turns.continuous = continuous;
             motor.turns.take(sense * position);
         };
+        type.stop_force = [](Joint& j, int i) -> Real {
+            const auto [motor, sense] = static_cast<T&>(j).motor_at(i);
+            return sense * motor.stop_force(lasting(j));
+        };
         type.forget_turns = [](Joint& j) {
             T& joint = static_cast<T&>(j);
             for (int i = 0; i < joint.axes(); ++i) joint.motor_at(i).motor.turns.follows = false;

@@ -409,6 +409,7 @@ void test_joints()
     joint.setStopRate(0, 20);
     judge("dJointExt::setStopRate", dJointGetStopRate(joint, 0) == 20, Numbers());
     judge("dJointExt::getStopRate", joint.getStopRate(0) == 20, Numbers());
+    judge("dJointExt::getStopForce", joint.getStopForce(0) == dJointGetStopForce(joint, 0), Numbers());
     joint.setBreakLimits(1, 0);
     judge("dJointExt::setBreakLimits", dJointGetBreakLimits(joint, &a, &b) == 1 && a == 1, Numbers(1, a));
     judge("dJointExt::getBreakLimits", joint.getBreakLimits(&a, &b) == 1 && a == 1, Numbers(1, a));

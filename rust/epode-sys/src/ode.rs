@@ -2778,6 +2778,9 @@ extern "C" {
     /// smaller the step is, and it keeps that speed. A \`rate\` bounds it in steps that correct by velocities. It does not
     /// count where poses are corrected instead (dWorldSetStepProjection, dWorldSetContactMaxCorrectingVel).
     pub fn dJointGetStopRate(joint: dJointID, axis: c_int) -> dReal;
+    /// Returns what the stops of an axis have exerted along it, N or N m, the mean over the last step in which the joint acted:
+    /// above 0 where its position is to grow. 0 of an axis within its stops, and after a state was set. Refused: an axis without stops.
+    pub fn dJointGetStopForce(joint: dJointID, axis: c_int) -> dReal;
     /// Let the rows that have the joint's own ERP and CFM be springs with dampers, N/m and
     /// N s/m: the anchor of a ball, the place of a fixed joint, the rod of a double ball or double hinge, the
     /// suspension of a hinge-2 (there dParamSuspensionERP and CFM), in every step and substep, whatever its

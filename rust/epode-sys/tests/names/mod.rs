@@ -716,6 +716,7 @@ macro_rules! ode_functions {
         dJointGetStopSpring
         dJointSetStopRate
         dJointGetStopRate
+        dJointGetStopForce
         dJointSetSpring
         dJointGetSpring
         dSpringFromFrequency

@@ -108,6 +108,14 @@ impl Joint<'_> {
         call(|| unsafe { sys::dJointGetStopRate(self.raw(), axis) })
     }
 
+    /// Returns what the stops of an axis have exerted along it, N or N m, the mean over the last step in which the joint acted:
+    /// above 0 where its position is to grow. 0 of an axis within its stops, and after a state was set. Refused: an axis without stops.
+    ///
+    /// C: `dJointGetStopForce`.
+    pub fn stop_force(&self, axis: i32) -> Result<Real> {
+        call(|| unsafe { sys::dJointGetStopForce(self.raw(), axis) })
+    }
+
     /// Write to \*stiffness and \*damping what dJointSetSpring has set, zeros at first. Returns
     /// 1 if there is such a spring, else 0.
     ///
