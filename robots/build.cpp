@@ -64,13 +64,6 @@ dMaterial material_of(const ShapePair& pair, const Spring& spring)
     return material;
 }
 
-// Of a shape's frame the geom's: ODE's height fields have y up, and z towards the shape's -y.
-Pose geom_pose(const Shape& shape)
-{
-    constexpr double kHalf = 0.70710678118654752440;
-    return shape.kind == ShapeKind::kHeights ? shape.pose * Pose{{}, {kHalf, kHalf, 0, 0}} : shape.pose;
-}
-
 Pose at_centre(const Pose& link, Vec centre) { return link * Pose{centre, {}}; }
 
 // Mass that hangs on a link, itself included.
@@ -95,7 +88,9 @@ Robot::Robot(std::shared_ptr<const Prepared> prepared, dWorldID world, dSpaceID 
       inputs_(model().actuators.size(), 0),
       pulls_(model().actuators.size(), 0),
       servos_(model().joints.size()),
-      pasts_(model().tendons.size())
+      pasts_(model().tendons.size()),
+      holds_(model().ties.size(), 0),
+      limits_(model().tendons.size(), 0)
 {
     // What was made goes again where the rest of it cannot be made.
     const auto undo = [](Robot* robot) { robot->destroy(); };
@@ -424,7 +419,10 @@ Robot::Robot(const Robot& like, int)
       filters_act_(like.filters_act_),
       pulls_(like.pulls_),
       servos_(like.servos_),
-      pasts_(like.pasts_)
+      pasts_(like.pasts_),
+      holds_(like.holds_),
+      limits_(like.limits_),
+      time_(like.time_)
 {}
 
 std::unique_ptr<Robot> Robot::counterpart(const std::vector<dBodyID>& bodies,

@@ -83,6 +83,7 @@ class Robot {
     Robot& operator=(const Robot&) = delete;
 
     const RobotModel& model() const { return prepared_->model(); }
+    const std::shared_ptr<const Prepared>& prepared() const { return prepared_; }
     // Of tendons the lengths between which their springs rest.
     const std::vector<std::array<double, 2>>& rests() const { return prepared_->rests(); }
     // 0 of a world link that has no body.
@@ -146,6 +147,12 @@ class Robot {
     double actuator_force(int actuator) const;
     double actuators_force(int joint) const;
     double actuators_force_of_tendon(int tendon) const;
+    // What the limits of a joint or tendon exerted in the last step, or, of tendons with a path, at the last call of add_forces; 0 or more.
+    double joint_limit_force(int joint) const;
+    double tendon_limit_force(int tendon) const;
+    // The sum of the steps that its sensors were told of.
+    double time() const { return time_; }
+    void pass(double stepsize) { time_ += stepsize; }
     // All that acts only from step to step: the medium, spatial tendons with their actuators (step_forces.cpp), and filters, which a
     // step of that size moves on. Returns how many boxes, tendons and filters there are.
     int add_forces(double stepsize);
@@ -201,11 +208,16 @@ class Robot {
     double stiffness(int tendon) const;
     double damping(int tendon) const;
     double force(const Pull& pull, double stepsize) const;
+    double limited(const Pull& pull, double force, double stepsize) const;
     bool has_past(int tendon) const;  // a spatial one with friction or armature
     double drag(const Pull& pull, double stepsize);
     void set_limits_of(std::vector<Pull>& pulls, double stepsize) const;
     void act(const Path& path, double force) const;
     bool is_awake(const Tendon& tendon) const;
+    // step_ties.cpp
+    bool is_awake(const Tie& tie) const;
+    int add_ties(double stepsize);
+    void pull(int tendon, double force, const std::vector<Pose>& poses) const;
     void wake(const Tendon& tendon) const;
     Vec velocity_at(int link, Vec point) const;
     std::vector<Pose> link_poses() const;  // in the world
@@ -226,6 +238,7 @@ class Robot {
     void make_drives();
     bool can_be_control(size_t actuator, double value) const;
     bool is_state(const std::vector<double>& numbers) const;
+    bool has_clock() const;
     void set_drives();
     void set_drive(const Passive& passive, const Servo& servo, double limit, int joint, int tendon);
     void set_joint_drive(int joint);
@@ -267,7 +280,11 @@ class Robot {
         double rate = 0, inertia = 0;  // and the force of its armature
         double hold = 0;               // what its friction took to stop it
     };
-    std::vector<Past> pasts_;  // of tendons
+    std::vector<Past> pasts_;    // of tendons
+    std::vector<double> holds_;  // of ties, what it took to hold them
+    std::vector<double>
+        limits_;  // of tendons with a path, what their limits exerted at the last call of add_forces
+    double time_ = 0;
 };
 
 }  // namespace epode::robots

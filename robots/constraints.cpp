@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See constraints.h. A coupling counts as the straight line that a world holds.
+// See constraints.h. A coupling counts as the straight line that a world holds, a tie as its curve; rows are those of couplings, of ties, of loops.
 #include "robots/constraints.h"
 
 #include "robots/kinematics.h"
+#include "robots/tie.h"
 
 namespace epode::robots {
 
@@ -17,6 +18,10 @@ Quat turn_between(const Pose& one, const Pose& two)
 }
 
 void append(std::vector<double>& out, Vec v) { out.insert(out.end(), {v.x, v.y, v.z}); }
+void append(std::vector<double>& out, const std::vector<double>& more)
+{
+    out.insert(out.end(), more.begin(), more.end());
+}
 
 // Six rows of a link's Jacobian, by column.
 struct Columns {
@@ -43,6 +48,7 @@ std::vector<double> constraint_errors(const RobotModel& model, const std::vector
             sum += term.factor * positions[size_t(model.joints[size_t(term.joint)].position)];
         out.push_back(sum);
     }
+    append(out, tie_errors(model, positions));
     if (model.closures.empty()) return out;
     const std::vector<Pose> poses = forward_kinematics(model, positions);
     for (const Closure& closure : model.closures) {
@@ -67,6 +73,7 @@ std::vector<double> constraint_jacobian(const RobotModel& model, const std::vect
         for (const Coupling::Term& term : coupling.terms)
             out[row + velocity[size_t(term.joint)]] += term.factor;
     }
+    append(out, tie_jacobian(model, positions));
     if (model.closures.empty()) return out;
     const std::vector<Pose> poses = forward_kinematics(model, positions);
     for (const Closure& closure : model.closures) {

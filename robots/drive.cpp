@@ -83,6 +83,7 @@ void Robot::set_positions(const std::vector<double>& positions)
 {
     if (positions.size() != size_t(model().coordinates)) return;
     pasts_.assign(pasts_.size(), {});
+    holds_.assign(holds_.size(), 0);
     const std::vector<Pose> poses = forward_kinematics(model(), positions);
     for (size_t i = 1; i < poses.size(); ++i)
         if (bodies_[i] && !model().links[i].is_mocap)

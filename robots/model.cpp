@@ -93,6 +93,15 @@ bool RobotModel::object_named(const std::string& type, const std::string& wanted
     return true;
 }
 
+const Shape* RobotModel::any_shape_named(const std::string& wanted, int& link) const
+{
+    for (link = 0; link < int(links.size()); ++link)
+        for (const auto* shapes : {&links[size_t(link)].shapes, &links[size_t(link)].visuals})
+            for (const Shape& shape : *shapes)
+                if (!wanted.empty() && shape.name == wanted) return &shape;
+    return nullptr;
+}
+
 int RobotModel::joint_named(const std::string& wanted) const { return index_of(joints, wanted); }
 int RobotModel::tendon_named(const std::string& wanted) const { return index_of(tendons, wanted); }
 int RobotModel::actuator_named(const std::string& wanted) const { return index_of(actuators, wanted); }

@@ -51,6 +51,7 @@ struct Softness {
 
 struct Shape {
     std::string name;
+    std::string body;  // of the file, where that has become part of the link; empty: the link's own
     ShapeKind kind = ShapeKind::kSphere;
     Pose pose;       // in the link's frame
     Vec size;        // sphere: radius; box, ellipsoid: half sizes; capsule, cylinder: radius, half length
@@ -164,6 +165,16 @@ struct Closure {
     int line = 0;
 };
 
+// An equality of two tendons of which one has a path, of the lengths L and K and what they are at the reference position, r and s:
+//     L - r = c0 + c1 (K - s) + c2 (K - s)^2 + ...;    without a second tendon L - r = c0.
+struct Tie {
+    std::string name;
+    int tendon1 = -1, tendon2 = -1;  // -1 of the second: none
+    std::array<double, 5> curve{0, 1, 0, 0, 0};
+    double rest1 = 0, rest2 = 0;
+    int line = 0;
+};
+
 // A part of a spatial tendon's path: a site that it passes, a surface that it may go round between two sites, or a pulley, at which
 // the path ends and begins again, what follows counting one divisor-th.
 struct PathPart {
@@ -208,13 +219,16 @@ struct Muscle {
     double length_low = 0, length_high = 0;  // m or rad, of joint or tendon times the gear
 };
 
-// Of an actuator that pushes a site: the gear as a force and a torque (robots/wrench.h).
+// Of an actuator that pushes a site: the gear as a force and a torque (robots/wrench.h). Of a slider-crank: the site is that of the crank,
+// the reference the slider, and the force's x the gear.
 struct SiteWrench {
     int link = -1;  // -1: none
     Pose pose;      // of the site in its link
     int reference_link = -1;
     Pose reference;  // of the reference site in its
     Vec force, torque;
+    double rod = -1;  // m, of a slider-crank; below 0: it is none
+    bool is_crank() const { return rod >= 0; }
 };
 
 // gain = gain + gain_position gear q + gain_velocity gear w; of a damper the last alone.
@@ -241,6 +255,7 @@ struct Sensor {
     int line = 0;
     std::string attribute, object_type;     // of MJCF: which one named the object; the type where it is said
     std::string reference, reference_type;  // of MJCF: relative to what a frame is read; empty: to the world
+    double cutoff = 0;                      // of MJCF: largest absolute value that it reads; 0: any
     bool is_on_child = false;               // force and torque are those on the link, not on its parent
 };
 
@@ -283,6 +298,7 @@ struct RobotModel {
     std::vector<Joint> joints;
     std::vector<Coupling> couplings;
     std::vector<Closure> closures;
+    std::vector<Tie> ties;
     std::vector<Tendon> tendons;
     std::vector<Actuator> actuators;
     std::vector<Sensor> sensors;
@@ -315,6 +331,8 @@ struct RobotModel {
     bool frame_named(const std::string& wanted, Frame& frame) const;
     // By MJCF's types: a site; a body, whose origin is its centre of mass; else as frame_named.
     bool object_named(const std::string& type, const std::string& wanted, Frame& frame) const;
+    // A shape that touches or one that is only looked at, and its link; null: none.
+    const Shape* any_shape_named(const std::string& wanted, int& link) const;
     int joint_named(const std::string& wanted) const;
     int tendon_named(const std::string& wanted) const;
     int actuator_named(const std::string& wanted) const;

@@ -8,6 +8,7 @@
 #include "robots/kinematics.h"
 #include "robots/sensor_kinds.h"
 #include "robots/sensors.h"
+#include "robots/zone.h"
 
 namespace epode::robots {
 
@@ -55,13 +56,16 @@ std::vector<double> Sensors::read_tendon(const Sensor& sensor) const
     return {sensor.kind == "tendonpos" ? its.length : its.rate};
 }
 
-// How far it is beyond, below 0, and how fast that changes; 0 within.
+// How far it is beyond, below 0, how fast that changes, and what the limit exerts; 0 within. Of a ball's limit the latter alone.
 std::vector<double> Sensors::read_limit(const Sensor& sensor) const
 {
     const RobotModel& model = robot_.model();
     const bool of_tendon = sensor.kind.starts_with("tendon");
     const int number = of_tendon ? model.tendon_named(sensor.object) : model.joint_named(sensor.object);
-    if (number < 0 || (!of_tendon && !model.joints[size_t(number)].is_scalar())) return {};
+    if (number < 0) return {};
+    if (sensor.kind.ends_with("frc"))
+        return {of_tendon ? robot_.tendon_limit_force(number) : robot_.joint_limit_force(number)};
+    if (!of_tendon && !model.joints[size_t(number)].is_scalar()) return {};
     const Robot::Stroke its = of_tendon ? robot_.tendon_stroke(number) : robot_.joint_stroke(number);
     const auto [low, high] =
         of_tendon ? std::pair(model.tendons[size_t(number)].low, model.tendons[size_t(number)].high)
@@ -139,11 +143,51 @@ std::vector<double> Sensors::read_subtree(const Sensor& sensor, int root) const
     return mass > 0 ? list_of((1 / mass) * sum) : std::vector<double>{};
 }
 
-std::vector<double> Sensors::read(int number, dSpaceID space, std::string& problem) const
+// Of the shapes of one name and those of another: the least distance, its direction, or the points where it is, within the cutoff.
+std::vector<double> Sensors::read_distance(const Sensor& sensor)
+{
+    const RobotModel& model = robot_.model();
+    const auto one = shapes_of(model, sensor.object_type, sensor.object),
+               two = shapes_of(model, sensor.reference_type, sensor.reference);
+    if (one.empty() || two.empty()) return {};
+    if (!distances_) distances_ = std::make_unique<ShapeDistances>(robot_.prepared());
+    std::vector<Pose> poses;
+    for (size_t i = 0; i < model.links.size(); ++i) poses.push_back(link_pose(int(i)));
+    const ShapeDistance its = distances_->find(poses, one, two, sensor.cutoff);
+    if (sensor.kind == "distance") return {its.distance};
+    if (sensor.kind == "fromto") return {its.from.x, its.from.y, its.from.z, its.to.x, its.to.y, its.to.z};
+    const double size = length(its.to - its.from);
+    return list_of(size > 0 ? (1 / size) * (its.to - its.from) : Vec{});
+}
+
+// 1 where a frame's origin is in the volume of a site; one that says no size is MuJoCo's ball of 5 mm.
+std::vector<double> Sensors::read_inside(const Sensor& sensor, const Frame& frame) const
+{
+    Frame zone;
+    if (!robot_.model().object_named("site", sensor.reference, zone)) return {};
+    if (!(zone.size.x > 0)) zone.size = {0.005, 0.005, 0.005};
+    const Vec at = link_pose(frame.link) * frame.pose.p;
+    return {is_in_zone(zone.zone, zone.size, inverse(link_pose(zone.link) * zone.pose) * at) ? 1.0 : 0.0};
+}
+
+std::vector<double> Sensors::read(int number, dSpaceID space, std::string& problem)
 {
     const Sensor& sensor = robot_.model().sensors[size_t(number)];
+    std::vector<double> out = read_uncut(sensor, space, problem);
+    const SensorRange range = range_of_sensor(sensor.kind);
+    if (!(sensor.cutoff > 0) || range == SensorRange::kNone) return out;
+    for (double& value : out)
+        value =
+            std::clamp(value, range == SensorRange::kPositive ? -kInfinity : -sensor.cutoff, sensor.cutoff);
+    return out;
+}
+
+std::vector<double> Sensors::read_uncut(const Sensor& sensor, dSpaceID space, std::string& problem)
+{
     problem = "a sensor that is computed, on something that the model has";
-    if (values_of_energy(sensor.kind))
+    if (sensor.kind == "clock") return {robot_.time()};
+    if (values_of_geom_sensor(sensor.kind)) return read_distance(sensor);
+    if (values_of_whole_sensor(sensor.kind))
         return {sensor.kind == "e_kinetic" ? kinetic_energy(robot_) : potential_energy(robot_, gravity())};
     if (values_of_joint_sensor(sensor.kind)) return read_joint(sensor);
     Frame frame;
@@ -166,6 +210,7 @@ std::vector<double> Sensors::read(int number, dSpaceID space, std::string& probl
         const Vec its = sensor.kind == "force" ? first : second;
         return list_of(sensor.is_on_child ? -its : its);
     }
+    if (sensor.kind == "insidesite") return read_inside(sensor, frame);
     if (sensor.kind.starts_with("subtree")) return read_subtree(sensor, frame.link);
     if (sensor.kind == "touch") return {touch(frame.link, frame.size.x > 0 ? &frame : nullptr).normal_force};
     if (sensor.kind == "magnetometer")

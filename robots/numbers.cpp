@@ -56,6 +56,7 @@ bool fits(const Coupling& c)
 {
     return all_fit(c.terms) && fits(c.offset) && all_fit(c.polynomial) && fits(c.ratio);
 }
+bool fits(const Tie& tie) { return all_fit(tie.curve) && fits(tie.rest1) && fits(tie.rest2); }
 bool fits(const Closure& closure) { return fits(closure.pose1) && fits(closure.pose2); }
 bool fits(const Tendon& t)
 {
@@ -66,7 +67,7 @@ bool fits(const Actuator& a)
 {
     return fits(a.gear) && fits(a.gain) && fits(a.bias) && fits(a.bias_position) && fits(a.bias_velocity) &&
            fits(a.filter.time) && fits(a.wrench.pose) && fits(a.wrench.reference) && fits(a.wrench.force) &&
-           fits(a.wrench.torque);
+           fits(a.wrench.torque) && fits(a.wrench.rod);
 }
 bool fits(const ShapePair& p) { return fits(p.friction) && fits(p.rolling_friction); }
 bool fits(const Frame& frame) { return fits(frame.pose) && fits(frame.size); }
@@ -134,6 +135,7 @@ void judge_numbers(RobotModel& model)
     judge(model, model.joints, "joint", &Joint::name);
     judge(model, model.couplings, "coupling", &Coupling::name);
     judge(model, model.closures, "closure", &Closure::name);
+    judge(model, model.ties, "equality of tendons", &Tie::name);
     judge(model, model.tendons, "tendon", &Tendon::name);
     judge(model, model.actuators, "actuator", &Actuator::name);
     judge(model, model.pairs, "pair", &ShapePair::name);

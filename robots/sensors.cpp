@@ -61,7 +61,7 @@ void write_pixel(size_t place, const dQueryHit& hit, double stretch, Vec towards
 
 }  // namespace
 
-Sensors::Sensors(const Robot& robot, dWorldID world)
+Sensors::Sensors(Robot& robot, dWorldID world)
     : robot_(robot), world_(world), feedback_(robot.model().links.size())
 {
     begin();
@@ -117,6 +117,7 @@ void Sensors::update(double stepsize)
     before_ = std::move(now_);
     now_ = motion_now();
     stepsize_ = stepsize;
+    robot_.pass(stepsize);
 }
 
 std::vector<double> Sensors::drive_forces() const

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "robots/build.h"
+#include "robots/shape_distances.h"
 
 namespace epode::robots {
 
@@ -32,7 +33,7 @@ struct Pixels {
 
 class Sensors {
   public:
-    Sensors(const Robot& robot, dWorldID world);
+    Sensors(Robot& robot, dWorldID world);
     ~Sensors();
     Sensors(const Sensors&) = delete;
     Sensors& operator=(const Sensors&) = delete;
@@ -42,7 +43,7 @@ class Sensors {
 
     // The motion of all bodies now; what it was becomes the past. begin: there is no past.
     void begin();
-    void update(double stepsize);
+    void update(double stepsize);  // notes all bodies' motion; the robot's clock goes on
     std::vector<double> drive_forces() const;
     // Specific force and angular velocity; false before the first update.
     bool imu(int link, const Pose& frame, Vec& specific_force, Vec& angular_velocity) const;
@@ -57,7 +58,7 @@ class Sensors {
     int take_picture(int link, const Pose& frame, dSpaceID space, const View& view,
                      const Pixels& pixels) const;
     // Empty and a problem where there is nothing to read.
-    std::vector<double> read(int sensor, dSpaceID space, std::string& problem) const;
+    std::vector<double> read(int sensor, dSpaceID space, std::string& problem);
 
   private:
     struct Motion {
@@ -79,13 +80,17 @@ class Sensors {
     std::vector<double> read_acceleration(const Sensor& sensor, const Frame& frame) const;
     std::vector<double> read_limit(const Sensor& sensor) const;
     std::vector<double> read_tendon(const Sensor& sensor) const;
+    std::vector<double> read_distance(const Sensor& sensor);
+    std::vector<double> read_inside(const Sensor& sensor, const Frame& frame) const;
+    std::vector<double> read_uncut(const Sensor& sensor, dSpaceID space, std::string& problem);
     bool feels(const Frame& zone, Vec point, Vec outwards) const;
 
-    const Robot& robot_;
+    Robot& robot_;
     dWorldID world_;
     std::vector<Motion> before_, now_;
     double stepsize_ = 0;  // 0: no past
     std::vector<std::unique_ptr<dJointFeedback>> feedback_;
+    std::unique_ptr<ShapeDistances> distances_;  // made by the first sensor that wants one
 };
 
 }  // namespace epode::robots

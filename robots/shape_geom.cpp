@@ -51,6 +51,12 @@ dGeomID make_geom(dSpaceID space, const Prepared& prepared, const Shape& shape, 
     return nullptr;
 }
 
+Pose geom_pose(const Shape& shape)
+{
+    constexpr double kHalf = 0.70710678118654752440;
+    return shape.kind == ShapeKind::kHeights ? shape.pose * Pose{{}, {kHalf, kHalf, 0, 0}} : shape.pose;
+}
+
 void put_plane(dGeomID plane, const Pose& at)
 {
     const Vec n = rotate(at.q, {0, 0, 1});

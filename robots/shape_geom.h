@@ -15,6 +15,8 @@ int parts_of(const Prepared& prepared, const Shape& shape);
 
 // In its own axes, a plane at z = 0. The space may be 0. 0 where memory ends, or of triangles that could not be read.
 dGeomID make_geom(dSpaceID space, const Prepared& prepared, const Shape& shape, int part);
+// Of a shape's frame the geom's: ODE's height fields have y up, and z towards the shape's -y.
+Pose geom_pose(const Shape& shape);
 // A plane's normal is z of `at`.
 void put_plane(dGeomID plane, const Pose& at);
 

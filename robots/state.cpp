@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What a robot has in addition to its world's state, as numbers: of each actuator control, activation and input; whether filters act;
-// of each joint stiffness, damping and target of its servo; of each spatial tendon with friction or armature its past. A world's state
-// has the drives that follow from them.
+// of each joint stiffness, damping and target of its servo; of each spatial tendon with friction or armature its past; of each tie what it
+// took to hold it; the time, where the file has a clock. A world's state has the drives that follow from them.
 #include <ode/ext.h>
 
 #include <algorithm>
@@ -35,6 +35,8 @@ std::vector<double> Robot::state() const
     for (size_t i = 0; i < pasts_.size(); ++i)
         if (const Past& its = pasts_[i]; has_past(int(i)))
             out.insert(out.end(), {double(its.is_known), its.rate, its.inertia, its.hold});
+    out.insert(out.end(), holds_.begin(), holds_.end());
+    if (has_clock()) out.push_back(time_);
     return out;
 }
 
@@ -49,15 +51,21 @@ size_t Robot::state_size() const
 {
     size_t with_past = 0;
     for (size_t i = 0; i < pasts_.size(); ++i) with_past += has_past(int(i));
-    return 3 * controls_.size() + 1 + 3 * servos_.size() + 4 * with_past;
+    return 3 * controls_.size() + 1 + 3 * servos_.size() + 4 * with_past + holds_.size() + has_clock();
+}
+
+bool Robot::has_clock() const
+{
+    return std::any_of(model().sensors.begin(), model().sensors.end(),
+                       [](const Sensor& sensor) { return sensor.kind == "clock"; });
 }
 
 bool Robot::is_state(const std::vector<double>& numbers) const
 {
     const size_t servos = 3 * controls_.size() + 1;
-    const size_t pasts = servos + 3 * servos_.size();
+    const size_t pasts = servos + 3 * servos_.size(), last = state_size() - holds_.size() - has_clock();
     if (numbers.size() != state_size()) return false;
-    for (size_t i = pasts; i < numbers.size(); i += 4)
+    for (size_t i = pasts; i < last; i += 4)
         if (numbers[i] != 0 && numbers[i] != 1) return false;
     if (!std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); })) return false;
     for (size_t i = 0; i < controls_.size(); ++i)
@@ -79,6 +87,8 @@ bool Robot::set_state(const std::vector<double>& numbers)
     for (Servo& servo : servos_) servo = {from[0], from[1], from[2]}, from += 3;
     for (size_t i = 0; i < pasts_.size(); ++i)
         if (has_past(int(i))) pasts_[i] = {from[0] == 1, from[1], from[2], from[3]}, from += 4;
+    for (double& hold : holds_) hold = *from++;
+    if (has_clock()) time_ = *from;
     set_drives();
     return true;
 }

@@ -193,10 +193,15 @@ double Robot::force(const Pull& pull, double h) const
                            (slope.velocity > 0 ? damp : 1) * slope.velocity * a.gear * pull.rate;
         out += a.gear * std::clamp(its, a.force_low, a.force_high);
     }
-    if (!(pull.sum > 0)) return out;
-    const double next = length + h * pull.rate;
-    out = std::min(out, limit / h * (tendon.high - next));
-    return std::max(out, limit / h * (tendon.low - next));
+    return out;
+}
+
+double Robot::limited(const Pull& pull, double force, double h) const
+{
+    if (!(pull.sum > 0)) return force;
+    const Tendon& tendon = model().tendons[size_t(pull.tendon)];
+    const double limit = 1 / (h * h * pull.sum), next = pull.path.length + h * pull.rate;
+    return std::max(std::min(force, limit * (tendon.high - next)), limit * (tendon.low - next));
 }
 
 bool Robot::has_past(int tendon) const
@@ -341,6 +346,18 @@ double Robot::actuators_force_of_tendon(int tendon) const
     return sum;
 }
 
+double Robot::joint_limit_force(int joint) const
+{
+    const dJointID turn = turns_[size_t(joint)], its = turn ? turn : joints_[size_t(joint)];
+    return its && model().joints[size_t(joint)].limited ? std::fabs(double(dJointGetStopForce(its, 0))) : 0;
+}
+
+double Robot::tendon_limit_force(int tendon) const
+{
+    const dJointID its = tendons_[size_t(tendon)];
+    return its ? std::fabs(double(dJointGetStopForce(its, 0))) : limits_[size_t(tendon)];
+}
+
 // Of the spatial tendons of which something moves.
 std::vector<Robot::Pull> Robot::pulls(double h) const
 {
@@ -374,7 +391,11 @@ void Robot::act(const Path& path, double force) const
 int Robot::add_tendon_forces(double h)
 {
     const std::vector<Pull> all = pulls(h);
-    for (const Pull& pull : all) act(pull.path, force(pull, h) + drag(pull, h));
+    for (const Pull& pull : all) {
+        const double free = force(pull, h), held = limited(pull, free, h);
+        limits_[size_t(pull.tendon)] = std::fabs(held - free);
+        act(pull.path, held + drag(pull, h));
+    }
     return int(all.size());
 }
 
@@ -401,8 +422,8 @@ int Robot::add_forces(double h)
 {
     const int filters = move_filters(h);
     move_muscles();
-    return filters + add_tendon_forces(h) + add_wrenches(h) + add_adhesion() + add_free_drag(h) +
-           add_fluid_forces(h) + add_lifts();
+    return filters + add_tendon_forces(h) + add_ties(h) + add_wrenches(h) + add_adhesion() +
+           add_free_drag(h) + add_fluid_forces(h) + add_lifts();
 }
 
 }  // namespace epode::robots

@@ -17,8 +17,12 @@ struct Merged {
 
 void merge(const Link& from, const Pose& pose, Link& into)
 {
-    for (Shape shape : from.shapes) shape.pose = pose * shape.pose, into.shapes.push_back(shape);
-    for (Shape visual : from.visuals) visual.pose = pose * visual.pose, into.visuals.push_back(visual);
+    const auto take = [&](Shape shape, std::vector<Shape>& all) {
+        if (shape.body.empty()) shape.body = from.name;
+        shape.pose = pose * shape.pose, all.push_back(std::move(shape));
+    };
+    for (const Shape& shape : from.shapes) take(shape, into.shapes);
+    for (const Shape& visual : from.visuals) take(visual, into.visuals);
     if (into.parent < 0) return;
     for (Lift lift : from.lifts) lift.centre = pose * lift.centre, into.lifts.push_back(lift);
     for (FluidBox box : from.boxes) box.pose = pose * box.pose, into.boxes.push_back(box);

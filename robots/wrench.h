@@ -6,6 +6,11 @@
 // two against each other are to feel it: the link c on which both hang gets the torque -(p - r) x f, so that the three balance
 // there. Of a place x and turn q of the site in the reference's frame, with the rotation vector v of q, the length is
 //     L = gear . (x, v),    dL/dt = f . (v_p - v_r) + t . (w_p - w_r) - ((p - r) x f) . w_c
+//
+// Of a slider-crank with the rod l, the crank's place p, and the slider's place r and axis a (z of its site), the slide's position along a
+// is, with w = p - r,
+//     L = gear (a.w - d),   d = sqrt((a.w)^2 + l^2 - w.w);    L = gear a.w where the rod does not reach,
+//     dL/dt = gear (n.(v_p - v_r) + (a x m).w_r),   n = (1 - a.w / d) a + w / d,   m = (1 - a.w / d) w;    n = a, m = w there.
 #pragma once
 
 #include "robots/kinematics.h"

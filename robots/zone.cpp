@@ -68,4 +68,22 @@ bool ray_meets_zone(ShapeKind kind, Vec size, Vec p, Vec d)
     }
 }
 
+bool is_in_zone(ShapeKind kind, Vec size, Vec p)
+{
+    const double across = p.x * p.x + p.y * p.y, end = std::max(0.0, std::fabs(p.z) - size.y);
+    switch (kind) {
+        case ShapeKind::kEllipsoid:
+            p = {p.x / size.x, p.y / size.y, p.z / size.z};
+            return dot(p, p) <= 1;
+        case ShapeKind::kBox:
+            return std::fabs(p.x) <= size.x && std::fabs(p.y) <= size.y && std::fabs(p.z) <= size.z;
+        case ShapeKind::kCylinder:
+            return across <= size.x * size.x && end == 0;
+        case ShapeKind::kCapsule:
+            return across + end * end <= size.x * size.x;
+        default:
+            return dot(p, p) <= size.x * size.x;
+    }
+}
+
 }  // namespace epode::robots

@@ -13,4 +13,7 @@ namespace epode::robots {
 // cylinder, ellipsoid.
 bool ray_meets_zone(ShapeKind kind, Vec size, Vec p, Vec d);
 
+// Whether a point in the zone's own axes is in it.
+bool is_in_zone(ShapeKind kind, Vec size, Vec point);
+
 }  // namespace epode::robots

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The reader of MJCF, in seven files: the document (compiler, assets, includes), copies, what is attached of other files, the tree of bodies, height fields, tendons, and what acts on it
-// (actuators, equalities, contacts, keys). Sections may stand in any order and be divided over files, so
+// The reader of MJCF, in nine files: the document (compiler, assets, includes), copies, what is attached of other files, the tree of bodies, height fields, tendons, and what acts on it
+// (actuators, contacts, keys; equalities; sensors). Sections may stand in any order and be divided over files, so
 // they are collected first and read in the order in which they need each other.
 #pragma once
 
@@ -147,6 +147,8 @@ class Mjcf {
     void read_actuator(const Attributes& attributes);
     bool find_target(const Attributes& attributes, Actuator& actuator);
     bool find_site(const Attributes& attributes, Actuator& actuator);
+    bool find_crank(const Attributes& attributes, Actuator& actuator);
+    void note_wrench(const Element& element);
     bool find_body(const Attributes& attributes, Actuator& actuator);
     bool find_direction(const Attributes& attributes, Actuator& actuator);
     void read_gains(const Attributes& attributes, Actuator& actuator);
@@ -158,21 +160,29 @@ class Mjcf {
     double acceleration_of(const Actuator& actuator);
     std::vector<double> moment_of(const Actuator& actuator);
     void read_cylinder(const Attributes& attributes, Actuator& actuator);
-    void read_equalities(const Element& section);
     void read_general_gains(const Attributes& attributes, Actuator& actuator);
-    void read_closure(const Attributes& attributes, bool weld);
-    bool join_sites(const Element& element, Closure& closure);
-    bool join_bodies(const Attributes& attributes, Closure& closure);
-    void read_joint_equality(const Attributes& attributes);
-    void read_tendon_equality(const Attributes& attributes);
-    bool read_line(const Attributes& attributes, std::array<double, 2>& line, Coupling& coupling);
     void read_contacts(const Element& section);
     bool find_touching(const Element& element, const char* attribute, int& link);
     void read_pair(const Attributes& attributes);
     void read_pair_friction(const Attributes& attributes, ShapePair& pair);
     void read_keys(const Element& section);
     void read_mocap(const Element& element, Start& start);
+
+    // mjcf_equalities.cpp
+    void read_equalities(const Element& section);
+    void read_closure(const Attributes& attributes, bool weld);
+    bool join_sites(const Element& element, Closure& closure);
+    bool join_bodies(const Attributes& attributes, Closure& closure);
+    void read_joint_equality(const Attributes& attributes);
+    void read_tendon_equality(const Attributes& attributes);
+    bool read_curve(const Attributes& attributes, std::array<double, 5>& curve);
+    bool read_line(const Attributes& attributes, std::array<double, 2>& line, Coupling& coupling);
+    void read_tie(const Attributes& attributes, int one, int two);
+
+    // mjcf_sensors.cpp
     void read_sensors(const Element& section);
+    void read_sensor(const Element& element);
+    bool find_sensed_geoms(const Element& element, Sensor& sensor);
 
     bool list(const Attributes& attributes, const char* name, size_t least, size_t largest,
               std::vector<double>& out);

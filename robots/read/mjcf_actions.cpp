@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Actuators, equalities, contacts, keys and sensors: see mjcf.h.
+// Actuators, contacts and keys: see mjcf.h.
 #include <algorithm>
 
 #include "robots/pairs.h"
 #include "robots/read/mjcf.h"
-#include "robots/sensor_kinds.h"
 #include "robots/tendon.h"
 #include "robots/wrench.h"
 
@@ -18,6 +17,7 @@ bool Mjcf::find_target(const Attributes& a, Actuator& actuator)
     if (joint.empty()) joint = a.element().text("jointinparent");
     const std::string tendon = a.element().text("tendon");
     if (a.element().has("site")) return find_site(a, actuator);
+    if (a.element().has("cranksite")) return find_crank(a, actuator);
     if (a.element().has("body")) return find_body(a, actuator);
     if (joint.empty() && tendon.empty()) {
         reading_.note(Note::kIgnored, a.element(),
@@ -39,7 +39,33 @@ bool Mjcf::find_target(const Attributes& a, Actuator& actuator)
     return find_direction(a, actuator);
 }
 
-// Of a slidercrank, which has another one for the crank: none.
+// A rod from the crank to a slide along z of the slider.
+bool Mjcf::find_crank(const Attributes& a, Actuator& actuator)
+{
+    const Element& element = a.element();
+    for (const char* name : {"cranksite", "slidersite"})
+        if (!site_named(element.text(name)))
+            return reading_.error(element, std::string("the ") + name + " '" + element.text(name) +
+                                               "' of a slider-crank is not there"),
+                   false;
+    const Frame crank = *site_named(element.text("cranksite")),
+                slider = *site_named(element.text("slidersite"));
+    double gear = 1, rod = 0;
+    std::vector<double> values;
+    if (list(a, "gear", 1, 6, values)) gear = values[0];
+    if (!number(a, "cranklength", rod) || !(rod > 0))
+        return reading_.error(element, "a slider-crank has no cranklength above 0"), false;
+    actuator.wrench = {crank.link, crank.pose, slider.link, slider.pose, {gear, 0, 0}, {}, rod};
+    note_wrench(element);
+    return true;
+}
+
+void Mjcf::note_wrench(const Element& element)
+{
+    reading_.note_once(Note::kChanged, element,
+                       "actuators of sites act where dRobotAddForces is called before a step");
+}
+
 bool Mjcf::find_site(const Attributes& a, Actuator& actuator)
 {
     const Element& element = a.element();
@@ -56,8 +82,7 @@ bool Mjcf::find_site(const Attributes& a, Actuator& actuator)
     wrench.link = site->link, wrench.pose = site->pose;
     if (reference) wrench.reference_link = reference->link, wrench.reference = reference->pose;
     wrench.force = {gear[0], gear[1], gear[2]}, wrench.torque = {gear[3], gear[4], gear[5]};
-    reading_.note_once(Note::kChanged, element,
-                       "actuators of sites act where dRobotAddForces is called before a step");
+    note_wrench(element);
     return true;
 }
 
@@ -251,7 +276,12 @@ void Mjcf::find_lengths(const Attributes& a, Actuator& actuator)
     Muscle& m = actuator.muscle;
     const Joint* const joint = actuator.joint >= 0 ? &model_.joints[size_t(actuator.joint)] : nullptr;
     const Tendon* const tendon = actuator.tendon >= 0 ? &model_.tendons[size_t(actuator.tendon)] : nullptr;
-    const double low = joint ? joint->low : tendon->low, high = joint ? joint->high : tendon->high;
+    const double low = joint    ? joint->low
+                       : tendon ? tendon->low
+                                : -kInfinity,
+                 high = joint    ? joint->high
+                        : tendon ? tendon->high
+                                 : kInfinity;
     if (!std::isfinite(low) || !std::isfinite(high) || low >= high)
         return reading_.error(a.element(),
                               "the muscle '" + actuator.name +
@@ -327,135 +357,6 @@ void Mjcf::read_actuator(const Attributes& a)
 void Mjcf::read_actuators(const Element& section)
 {
     for (const Element& element : expand(section)) read_actuator(defaults_.of(element, "", reading_));
-}
-
-void Mjcf::read_closure(const Attributes& a, bool weld)
-{
-    const Element& element = a.element();
-    Closure closure;
-    closure.weld = weld, closure.name = element.text("name"), closure.line = element.line();
-    if (element.has("site1") ? join_sites(element, closure) : join_bodies(a, closure))
-        model_.closures.push_back(closure);
-}
-
-bool Mjcf::join_sites(const Element& element, Closure& closure)
-{
-    const Frame *one = site_named(element.text("site1")), *two = site_named(element.text("site2"));
-    if (!one || !two) return reading_.error(element, "an equality of sites that are not there"), false;
-    closure.link1 = one->link, closure.pose1 = one->pose;
-    closure.link2 = two->link, closure.pose2 = two->pose;
-    return true;
-}
-
-// The anchor is a point of body 1; what body 2 has there at the reference position stays there.
-bool Mjcf::join_bodies(const Attributes& a, Closure& closure)
-{
-    const Element& element = a.element();
-    closure.link1 = model_.link_named(element.text("body1"));
-    closure.link2 = element.has("body2") ? model_.link_named(element.text("body2")) : 0;
-    if (closure.link1 < 0 || closure.link2 < 0)
-        return reading_.error(element, "an equality of the bodies '" + element.text("body1") + "' and '" +
-                                           element.text("body2") + "'; one is not there"),
-               false;
-    const std::vector<Pose> poses = forward_kinematics(model_, reference_positions(model_));
-    const Pose &one = poses[size_t(closure.link1)], &two = poses[size_t(closure.link2)];
-    std::vector<double> p;
-    if (!closure.weld) {
-        vec(a, "anchor", closure.pose1.p);
-        closure.pose2 = inverse(two) * (one * closure.pose1);
-    } else if (list(a, "relpose", 7, 7, p) && (p[3] != 0 || p[4] != 0 || p[5] != 0 || p[6] != 0)) {
-        closure.pose1 = {{p[0], p[1], p[2]}, normalised({p[3], p[4], p[5], p[6]})};
-    } else {
-        closure.pose1 = inverse(one) * two;
-    }
-    return true;
-}
-
-// The first two coefficients of an equality's polynomial; those beyond go to the coupling, with a note. False where it is
-// broken.
-bool Mjcf::read_line(const Attributes& a, std::array<double, 2>& line, Coupling& coupling)
-{
-    std::vector<double> c{0, 1};
-    if (a.has("polycoef") && !list(a, "polycoef", 1, 5, c)) return false;
-    if (c.size() == 1) c.push_back(1);
-    c.resize(5, 0);
-    line = {c[0], c[1]};
-    if (c[2] == 0 && c[3] == 0 && c[4] == 0) return true;
-    coupling.polynomial.assign(c.begin() + 2, c.end());
-    reading_.note(Note::kApproximated, a.element(),
-                  "an equality of joints that is no straight line: worlds hold its tangent at the reference, "
-                  "batches the curve");
-    return true;
-}
-
-// q1 - r1 = c0 + c1 (q2 - r2) + c2 (q2 - r2)^2 + ..., with the references r; without a second joint q1 - r1 = c0.
-void Mjcf::read_joint_equality(const Attributes& a)
-{
-    const Element& element = a.element();
-    const int follower = model_.joint_named(element.text("joint1"));
-    const int leader = element.has("joint2") ? model_.joint_named(element.text("joint2")) : -1;
-    const auto is_axis = [&](int joint) { return joint >= 0 && model_.joints[size_t(joint)].is_scalar(); };
-    if (!is_axis(follower) || (element.has("joint2") && !is_axis(leader)))
-        return reading_.error(element, "an equality of the joints '" + element.text("joint1") + "' and '" +
-                                           element.text("joint2") + "'; one is no hinge or slider");
-    Coupling coupling;
-    std::array<double, 2> c{};
-    if (!read_line(a, c, coupling)) return;
-    coupling.name = element.text("name"), coupling.line = element.line();
-    coupling.terms = {{follower, 1}};
-    coupling.offset = c[0] + model_.joints[size_t(follower)].reference;
-    if (leader >= 0) {
-        coupling.terms.push_back({leader, -c[1]});
-        coupling.offset -= c[1] * model_.joints[size_t(leader)].reference;
-    } else {
-        coupling.polynomial.clear();
-    }
-    model_.couplings.push_back(coupling);
-}
-
-// The same of two fixed tendons, whose lengths are sums of coordinates.
-void Mjcf::read_tendon_equality(const Attributes& a)
-{
-    const Element& element = a.element();
-    const int one = model_.tendon_named(element.text("tendon1"));
-    const int two = element.has("tendon2") ? model_.tendon_named(element.text("tendon2")) : -1;
-    const auto is_path = [&](int i) { return i >= 0 && !model_.tendons[size_t(i)].path.empty(); };
-    if (one < 0 || (element.has("tendon2") && two < 0))
-        return reading_.note(Note::kIgnored, element, "an equality of tendons that are not read");
-    if (is_path(one) || is_path(two))
-        return reading_.note(Note::kIgnored, element, "an equality of spatial tendons");
-    Coupling coupling;
-    std::array<double, 2> c{};
-    if (!read_line(a, c, coupling)) return;
-    coupling.name = element.text("name"), coupling.line = element.line(), coupling.offset = c[0];
-    const auto add = [&](int tendon, double factor) {
-        for (const Coupling::Term& term : model_.tendons[size_t(tendon)].terms) {
-            coupling.terms.push_back({term.joint, factor * term.factor});
-            coupling.offset += factor * term.factor * model_.joints[size_t(term.joint)].reference;
-        }
-    };
-    add(one, 1);
-    if (two >= 0) add(two, -c[1]);
-    coupling.tendons = {one, two}, coupling.ratio = c[1];
-    model_.couplings.push_back(coupling);
-}
-
-void Mjcf::read_equalities(const Element& section)
-{
-    for (const Element& element : expand(section)) {
-        const Attributes a = defaults_.of(element, "", reading_);
-        const std::string kind = element.name();
-        if (a.text("active") == "false")
-            reading_.note(Note::kIgnored, element, "an equality that is not active");
-        else if (kind == "connect" || kind == "weld")
-            read_closure(a, kind == "weld");
-        else if (kind == "joint")
-            read_joint_equality(a);
-        else if (kind == "tendon")
-            read_tendon_equality(a);
-        else
-            reading_.note(Note::kIgnored, element, "an equality of kind <" + kind + ">");
-    }
 }
 
 // A geom that touches nothing by itself is no look any more.
@@ -562,27 +463,6 @@ void Mjcf::read_keys(const Element& section)
         parse_numbers(element.text("ctrl"), start.controls);
         read_mocap(element, start);
         model_.starts.push_back(start);
-    }
-}
-
-void Mjcf::read_sensors(const Element& section)
-{
-    for (const Element& element : expand(section)) {
-        Sensor sensor;
-        sensor.name = element.text("name"), sensor.kind = element.name(), sensor.line = element.line();
-        for (const char* object : {"joint", "site", "body", "objname", "actuator", "tendon", "geom"})
-            if (element.has(object)) sensor.object = element.text(object), sensor.attribute = object;
-        sensor.object_type = sensor.attribute == "site" ? "site" : element.text("objtype");
-        sensor.is_on_child = sensor.kind == "force" || sensor.kind == "torque";
-        sensor.reference = element.text("refname"), sensor.reference_type = element.text("reftype");
-        model_.sensors.push_back(sensor);
-        if (values_of(sensor.kind) == 0)
-            reading_.note_once(Note::kIgnored, element,
-                               "sensors of kind <" + sensor.kind + "> are listed, not computed");
-        if (sensor.kind == "touch")
-            reading_.note_once(
-                Note::kApproximated, element,
-                "a touch sensor of a site without a size feels its whole link, in a batch every one");
     }
 }
 

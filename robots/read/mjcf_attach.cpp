@@ -117,6 +117,13 @@ void take_equalities(RobotModel& model, const Moved& moved)
         closure.name = moved.name(closure.name);
         if (closure.link1 >= 0 && closure.link2 >= 0) model.closures.push_back(closure);
     }
+    for (Tie tie : moved.other.ties) {
+        bool is_whole = true;
+        for (int* tendon : {&tie.tendon1, &tie.tendon2})
+            if (*tendon >= 0) *tendon = moved.tendons[size_t(*tendon)], is_whole = is_whole && *tendon >= 0;
+        tie.name = moved.name(tie.name);
+        if (is_whole) model.ties.push_back(tie);
+    }
     for (ShapePair pair : moved.other.pairs) {
         for (std::string* name : {&pair.name, &pair.shape1, &pair.shape2}) *name = moved.name(*name);
         int link = 0;
@@ -156,9 +163,11 @@ void take_sensors(RobotModel& model, const Moved& moved)
     for (Sensor sensor : moved.other.sensors) {
         const std::string object = moved.name(sensor.object), reference = moved.name(sensor.reference);
         Frame frame;
+        int link = 0;
         const auto is_there = [&](const std::string& name) {
-            return name.empty() || model.frame_named(name, frame) || model.joint_named(name) >= 0 ||
-                   model.actuator_named(name) >= 0 || model.tendon_named(name) >= 0;
+            return name.empty() || model.any_shape_named(name, link) || model.frame_named(name, frame) ||
+                   model.joint_named(name) >= 0 || model.actuator_named(name) >= 0 ||
+                   model.tendon_named(name) >= 0;
         };
         if (!is_there(object) || !is_there(reference)) continue;
         sensor.name = moved.name(sensor.name), sensor.object = object, sensor.reference = reference;

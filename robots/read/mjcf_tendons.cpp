@@ -10,16 +10,6 @@ namespace epode::robots {
 
 namespace {
 
-// A geom that touches or one that is only looked at, and its link.
-const Shape* geom_named(const RobotModel& model, const std::string& name, int& link)
-{
-    for (link = 0; link < int(model.links.size()); ++link)
-        for (const auto* shapes : {&model.links[size_t(link)].shapes, &model.links[size_t(link)].visuals})
-            for (const Shape& shape : *shapes)
-                if (!name.empty() && shape.name == name) return &shape;
-    return nullptr;
-}
-
 // Whether sites and surfaces follow each other as a path can: two sites or more from pulley to pulley, each surface between two sites.
 bool is_whole(const std::vector<PathPart>& path)
 {
@@ -54,7 +44,7 @@ void Mjcf::read_terms(const Element& element, Tendon& tendon)
 // False and an error of what no tendon can go round.
 bool Mjcf::read_surface(const Element& element, PathPart& part)
 {
-    const Shape* const shape = geom_named(model_, element.text("geom"), part.link);
+    const Shape* const shape = model_.any_shape_named(element.text("geom"), part.link);
     if (!shape || (shape->kind != ShapeKind::kSphere && shape->kind != ShapeKind::kCylinder))
         return reading_.error(element, "'" + element.text("geom") + "' is no sphere or cylinder"), false;
     part.kind = shape->kind == ShapeKind::kSphere ? PathPart::Kind::kSphere : PathPart::Kind::kCylinder;

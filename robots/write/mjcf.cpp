@@ -372,6 +372,7 @@ WrittenRobot MjcfWriter::write()
     write_closures();
     write_tendons();
     write_couplings();
+    write_ties();
     write_actuators();
     write_contacts_and_keys();
     write_sensors();

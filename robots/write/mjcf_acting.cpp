@@ -53,6 +53,17 @@ void MjcfWriter::write_tendon_equality(const Coupling& coupling)
     set(its, "polycoef", list_text(c));
 }
 
+void MjcfWriter::write_ties()
+{
+    for (const Tie& tie : model_.ties) {
+        Node its = section("equality").append_child("tendon");
+        name_it(its, equality_names_, tie.name);
+        set(its, "tendon1", tendons_[size_t(tie.tendon1)]);
+        if (tie.tendon2 >= 0) set(its, "tendon2", tendons_[size_t(tie.tendon2)]);
+        set(its, "polycoef", list_text({tie.curve.begin(), tie.curve.end()}));
+    }
+}
+
 void MjcfWriter::write_couplings()
 {
     for (const Coupling& coupling : model_.couplings) {
@@ -162,6 +173,11 @@ void MjcfWriter::write_target(Node node, const Actuator& actuator)
     if (actuator.tendon >= 0) set(node, "tendon", tendons_[size_t(actuator.tendon)]);
     if (actuator.adhesive_link >= 0) set(node, "body", links_[size_t(actuator.adhesive_link)]);
     if (wrench.link < 0) return;
+    if (wrench.is_crank()) {
+        set(node, "cranksite", site_at(wrench.link, wrench.pose));
+        set(node, "slidersite", site_at(wrench.reference_link, wrench.reference));
+        return set(node, "cranklength", wrench.rod), set(node, "gear", wrench.force.x);
+    }
     set(node, "site", site_at(wrench.link, wrench.pose));
     if (wrench.reference_link >= 0) set(node, "refsite", site_at(wrench.reference_link, wrench.reference));
     set(node, "gear", text_of(wrench.force) + " " + text_of(wrench.torque));
@@ -191,9 +207,12 @@ void MjcfWriter::write_actuators()
 
 std::string MjcfWriter::written_geom(const std::string& name) const
 {
-    for (size_t i = 0; i < model_.links.size(); ++i)
-        for (size_t k = 0; k < model_.links[i].shapes.size(); ++k)
-            if (model_.links[i].shapes[k].name == name) return geom_names_[i][k];
+    for (size_t i = 0; i < model_.links.size(); ++i) {
+        size_t number = 0;
+        for (const auto* shapes : {&model_.links[i].shapes, &model_.links[i].visuals})
+            for (const Shape& shape : *shapes)
+                if (const std::string& written = geom_names_[i][number++]; shape.name == name) return written;
+    }
     return name;
 }
 
@@ -234,29 +253,58 @@ void MjcfWriter::write_contacts_and_keys()
     }
 }
 
+// Of a body the geoms of its link, where no other body's are among them.
+MjcfWriter::Sensed MjcfWriter::geom_object(const std::string& type, const std::string& name,
+                                           const char* number) const
+{
+    if (type == "geom") return {std::string("geom") + number, "", written_geom(name)};
+    for (size_t i = 0; i < model_.links.size(); ++i) {
+        if (model_.links[i].name != name) continue;
+        for (const auto* shapes : {&model_.links[i].shapes, &model_.links[i].visuals})
+            for (const Shape& shape : *shapes)
+                if (!shape.body.empty()) return {};
+        return {std::string("body") + number, "", links_[i]};
+    }
+    return {};
+}
+
+MjcfWriter::Node MjcfWriter::write_sensor(const Sensor& sensor, const Sensed& on)
+{
+    Node its = section("sensor").append_child(sensor.kind.c_str());
+    name_it(its, sensor_names_, sensor.name);
+    if (!on.type.empty()) set(its, "objtype", on.type);
+    if (!on.attribute.empty()) set(its, on.attribute.c_str(), on.object);
+    if (sensor.cutoff > 0) set(its, "cutoff", sensor.cutoff);
+    return its;
+}
+
 // Kinds that are not computed as their file has named them, if it is MJCF.
 void MjcfWriter::write_sensors()
 {
     for (const Sensor& sensor : model_.sensors) {
-        const bool of_frame = values_of_frame_sensor(sensor.kind) > 0;
+        const bool of_frame = values_of_frame_sensor(sensor.kind) > 0,
+                   of_geoms = values_of_geom_sensor(sensor.kind) > 0;
         const Sensed on = values_of(sensor.kind) == 0
                               ? Sensed{sensor.attribute, sensor.object_type, sensor.object}
+                          : of_geoms ? geom_object(sensor.object_type, sensor.object, "1")
                           : of_frame ? frame_object(sensor.kind, sensor.object_type, sensor.object)
                                      : joint_object(sensor);
-        const bool is_whole = values_of_energy(sensor.kind) > 0;  // the robot's
-        if (on.attribute.empty() && !is_whole) {
+        const Sensed other = of_geoms ? geom_object(sensor.reference_type, sensor.reference, "2") : on;
+        const bool is_whole = values_of_whole_sensor(sensor.kind) > 0;  // the robot's
+        if ((on.attribute.empty() || other.attribute.empty()) && !is_whole) {
             losses_.add("sensors of kind <" + sensor.kind + "> on '" + sensor.object + "' are not written");
             continue;
         }
-        Node its = section("sensor").append_child(sensor.kind.c_str());
-        name_it(its, sensor_names_, sensor.name);
+        Node its = write_sensor(sensor, is_whole ? Sensed{} : on);
+        if (of_geoms) {
+            set(its, other.attribute.c_str(), other.object);
+            continue;
+        }
         const bool is_force = sensor.kind == "force" || sensor.kind == "torque";
         if (is_force && !sensor.is_on_child && !sensor.name.empty()) {
             Node element = tuple(kOnParentName).append_child("element");
             set(element, "objtype", "sensor"), set(element, "objname", its.attribute("name").value());
         }
-        if (!on.type.empty()) set(its, "objtype", on.type);
-        if (!is_whole) set(its, on.attribute.c_str(), on.object);
         write_reference(its, sensor);
         if (is_force && !sensor.is_on_child)
             losses_.add(
@@ -271,6 +319,7 @@ void MjcfWriter::write_reference(Node its, const Sensor& sensor) const
     const Sensed to = values_of(sensor.kind) == 0
                           ? Sensed{"refname", sensor.reference_type, sensor.reference}
                           : frame_object("frame", sensor.reference_type, sensor.reference);
+    if (sensor.kind == "insidesite") return set(its, "site", to.object);
     if (!to.object.empty()) set(its, "reftype", to.type), set(its, "refname", to.object);
 }
 
@@ -292,7 +341,8 @@ MjcfWriter::Sensed MjcfWriter::frame_object(const std::string& kind, const std::
     Frame whole;
     if (kind.starts_with("subtree"))
         return model_.frame_named(name, whole) ? Sensed{"body", "", links_[size_t(whole.link)]} : Sensed{};
-    const bool says_type = kind.rfind("frame", 0) == 0, is_body = type == "body" || type == "xbody";
+    const bool says_type = kind.rfind("frame", 0) == 0 || kind == "insidesite",
+               is_body = type == "body" || type == "xbody";
     const auto link = [&]() -> Sensed {
         for (size_t i = 0; i < model_.links.size(); ++i)
             if (says_type && model_.links[i].name == name)

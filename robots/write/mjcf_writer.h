@@ -45,6 +45,7 @@ class MjcfWriter {
     void write_part(Node tendon, const PathPart& part);
     std::string surface_of(const PathPart& part);
     void write_tendon_equality(const Coupling& coupling);
+    void write_ties();
     void write_actuators();
     void write_target(Node actuator, const Actuator& from);
     void write_gains(Node actuator, const Actuator& from, const std::string& kind);
@@ -60,6 +61,8 @@ class MjcfWriter {
     Sensed frame_object(const std::string& kind, const std::string& type, const std::string& name) const;
     void write_reference(Node its, const Sensor& sensor) const;
     void write_sensors();
+    Sensed geom_object(const std::string& type, const std::string& name, const char* number) const;
+    Node write_sensor(const Sensor& sensor, const Sensed& on);
     void write_custom();
     void write_cameras();
     Node tuple(const char* name);

@@ -245,6 +245,7 @@ void UrdfWriter::write_frames()
 // q1 = m q2 + o, of coordinates that count from their references.
 void UrdfWriter::write_mimics()
 {
+    for (const Tie& tie : model_.ties) losses_.add("an equality of tendons: '" + tie.name + "'");
     for (const Coupling& coupling : model_.couplings) {
         const auto& terms = coupling.terms;
         if (terms.size() != 2 || terms[0].factor == 0) {

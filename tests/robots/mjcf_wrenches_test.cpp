@@ -53,7 +53,15 @@ const Recorded kRecorded[] = {
      {-0.7872935546474, 2.675072285635, 2, 0, -2.9115804700705, 0.5877654751075, -0.5112660709499}},
     {"<position name='m' site='sb' refsite='sc' gear='0 0 0 1 0 0.5' kp='3' kv='0.5'/>",
      {-0.9773064984559, -1.9049561226981, 9.8843975567167, 0, 4.9572045422177, 7.1591890424489,
-      -8.3296860544257}}};
+      -8.3296860544257}},
+    // Slider-cranks: the second one's rod does not reach.
+    {"<motor name='m' cranksite='sb' slidersite='w' cranklength='0.9' gear='3'/>",
+     {-0.193345492469, 0.9368929460239, 2, -1.878186046336, -1.948901603125, -0.2916625357324, 0}},
+    {"<motor name='m' cranksite='sb' slidersite='sc' cranklength='0.05' gear='2'/>",
+     {0.2425772834246, 1.207953514415, 2, 0, -1.017092061666, -0.3016112600596, 0.3550190236851}},
+    {"<position name='m' cranksite='sb' slidersite='sc' cranklength='0.8' kp='4' kv='0.5'/>",
+     {-0.3202410476823, 0.08795502284533, 9.236986679306, 0, -0.1008334946776, -1.301380040121,
+      0.8409749367371}}};
 
 class MjcfWrenches : public RobotInContact {};
 
@@ -73,7 +81,7 @@ TEST_F(MjcfWrenches, have_lengths_rates_and_forces_along_joints_as_mujocos)
 TEST_F(MjcfWrenches, accelerate_as_their_forces_along_joints_do)
 {
     const double h = 1e-5;
-    for (size_t k = 0; k < 3; ++k) {
+    for (const size_t k : {0, 1, 2, 4, 5}) {
         load(arm(kRecorded[k].actuator));
         const dReal q[4] = {dReal(0.3), dReal(-0.4), dReal(0.5), dReal(0.7)};
         dRobotSetPositions(robot, q, 4), dRobotSetControl(robot, 0, 2);
@@ -138,6 +146,13 @@ TEST(MjcfWrenchFiles, are_written_and_read_again_and_name_what_is_not_there)
     ASSERT_TRUE(broken.has_errors());
     EXPECT_EQ(broken.report.back().line, 2);
     EXPECT_EQ(broken.report.back().text, "there is no site 'sd'");
+    for (const char* wrong : {"\n<motor name='m' cranksite='sb' slidersite='sd' cranklength='1'/>",
+                              "\n<motor name='m' cranksite='sb' cranklength='1'/>",
+                              "\n<motor name='m' cranksite='sb' slidersite='sc'/>"}) {
+        const RobotModel crank = load_robot_text("robot.xml", arm(wrong));
+        ASSERT_TRUE(crank.has_errors()) << wrong;
+        EXPECT_EQ(crank.report.back().line, 2);
+    }
 }
 
 // A box of 1 kg at a wall, or under a ceiling.

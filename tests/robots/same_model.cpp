@@ -210,6 +210,12 @@ class Models : Comparison {
                  each(what + " polynomial", a.polynomial, b.polynomial,
                       [&](const std::string& its, double x, double y) { same(its, x, y); });
              });
+        each("ties", a_.ties, b_.ties, [&](const std::string& what, const Tie& a, const Tie& b) {
+            same(what, a.name, b.name), same(what + " first", a.tendon1, b.tendon1),
+                same(what + " second", a.tendon2, b.tendon2);
+            for (size_t i = 0; i < a.curve.size(); ++i) same(what + " curve", a.curve[i], b.curve[i]);
+            same(what + " rest", a.rest1, b.rest1), same(what + " rest", a.rest2, b.rest2);
+        });
         each("closures", a_.closures, b_.closures,
              [&](const std::string& what, const Closure& a, const Closure& b) {
                  same(what + " weld", a.weld, b.weld), same(what + " link", a.link1, b.link1),
@@ -234,6 +240,7 @@ class Models : Comparison {
                  same(what, a.name, b.name), same(what + " kind", a.kind, b.kind);
                  same(what + " object", a.object, b.object),
                      same(what + " reference", a.reference, b.reference);
+                 same(what + " cutoff", a.cutoff, b.cutoff);
                  same(what + " is on the child", a.is_on_child, b.is_on_child);
              });
         each("excluded", sorted(a_.excluded), sorted(b_.excluded),
@@ -265,6 +272,7 @@ class Models : Comparison {
                  if (!a.name.empty()) same(what, a.name, b.name);
                  same(what + " joint", a.joint, b.joint), same(what + " tendon", a.tendon, b.tendon);
                  const SiteWrench &x = a.wrench, &y = b.wrench;
+                 same(what + " rod", x.rod, y.rod);
                  same(what + " site's link", x.link, y.link), same(what + " site", x.pose, y.pose);
                  same(what + " reference's link", x.reference_link, y.reference_link);
                  same(what + " reference", x.reference, y.reference);
