@@ -6,6 +6,7 @@
 //     accelerometer at p:  A.v + A.w x p + w x (V.v + w x p),    A <- A + a, which counts gravity as an acceleration upwards
 //     force on the parent: f - I A - V x* I V of the link and all that hangs on it, f being contacts' and loops', less what a medium takes
 //     touch:               the normal forces of the link's contacts
+//     limits:              the forces of their rows, 0 or more
 #pragma once
 
 #include "batch/lanes/medium.h"
@@ -30,20 +31,31 @@ struct Sensors {
 
     void find() const
     {
-        bool any_of_step = false;
         Motion<P, own>{model(), numbers(), of.q, of.v, work()}.find();
         of.find_actuators();
+        bool any_of_step = false;
         for (const BatchSensor& sensor : model().sensors) {
-            const bool is_of_step = sensor.kind >= SensorKind::kAccelerometer;
-            any_of_step |= sensor.values > 0 && is_of_step;
-            if (sensor.values > 0 && !is_of_step) read_state(sensor, out + sensor.address);
+            any_of_step |= is_of_step(sensor);
+            if (sensor.values > 0 && !is_of_step(sensor)) read_state(sensor, out + sensor.address);
         }
         find_centres();
-        if (!any_of_step) return;
-        find_step();
-        for (const BatchSensor& sensor : model().sensors)
-            if (sensor.values > 0 && sensor.kind >= SensorKind::kAccelerometer)
-                read_step(sensor, out + sensor.address);
+        if (any_of_step) find_step();
+        for (const BatchSensor& sensor : model().sensors) {
+            if (is_of_step(sensor)) read_step(sensor, out + sensor.address);
+            if (sensor.high > 0) cut(sensor, out + sensor.address);
+        }
+    }
+
+    static bool is_of_step(const BatchSensor& sensor)
+    {
+        const bool is_limit =
+            sensor.kind == SensorKind::kLimitForce || sensor.kind == SensorKind::kTendonLimitForce;
+        return sensor.values > 0 && (is_limit || sensor.kind >= SensorKind::kAccelerometer);
+    }
+
+    static void cut(const BatchSensor& sensor, P* to)
+    {
+        for (int k = 0; k < sensor.values; ++k) to[k] = clip(to[k], P(T(sensor.low)), P(T(sensor.high)));
     }
 
     const ModelView& model() const { return of.model; }
@@ -82,13 +94,70 @@ struct Sensors {
         if (sensor.kind == SensorKind::kPosition || sensor.kind == SensorKind::kVelocity) {
             const P* from = (sensor.kind == SensorKind::kPosition ? of.q : of.v) + sensor.object;
             for (int k = 0; k < sensor.values; ++k) to[k] = from[k];
+        } else if (sensor.kind <= SensorKind::kLimitRate) {
+            const Dof& dof = model().dofs[sensor.object];
+            to[0] = beyond(of.q[model().joints[dof.joint].position], of.v[sensor.object],
+                           numbers()[dof.first + dof_number::kLow], numbers()[dof.first + dof_number::kHigh],
+                           sensor.kind == SensorKind::kLimitRate);
         } else if (sensor.kind == SensorKind::kJointForce) {
             to[0] = of.out[of.to().actuator + sensor.object];
         } else if (sensor.kind <= SensorKind::kActuatorRate) {
             to[0] = of_actuator(sensor.kind, sensor.object);
+        } else if (sensor.kind <= SensorKind::kTendonLimitRate) {
+            to[0] = of_tendon(sensor.kind, model().sums[sensor.object]);
+        } else if (sensor.kind <= SensorKind::kPotential) {
+            to[0] = sensor.kind == SensorKind::kKinetic ? kinetic() : potential();
         } else if (sensor.kind < SensorKind::kCentre) {
             read_frame(sensor, to);
         }
+    }
+
+    // How far below its least or above its largest, less than 0, or how fast that changes; 0 between the two.
+    static P beyond(const P& at, const P& rate, const P& low, const P& high, bool is_rate)
+    {
+        const P zero(0), below = is_rate ? rate : at - low, above = is_rate ? -rate : high - at;
+        return if_greater(low, at, below, if_greater(at, high, above, zero));
+    }
+
+    P of_tendon(SensorKind kind, const BatchSum& sum) const
+    {
+        const P length = of.drives(of.q, 0).length_of(sum), rate = of.sums().rate(sum);
+        if (kind == SensorKind::kTendonLength) return length;
+        if (kind == SensorKind::kTendonRate) return rate;
+        return beyond(length, rate, numbers()[sum.first + sum_number::kLow],
+                      numbers()[sum.first + sum_number::kHigh], kind == SensorKind::kTendonLimitRate);
+    }
+
+    P kinetic() const
+    {
+        P sum(0);
+        for (int i = 1; i < model().links.size(); ++i)
+            sum = sum + dot(link(i).velocity, link(i).inertia * link(i).velocity);
+        for (int i = 0; i < model().velocities; ++i)
+            sum = sum + numbers()[model().dofs[i].first + dof_number::kArmature] * (of.v[i] * of.v[i]);
+        return P(T(0.5)) * sum;
+    }
+
+    P potential() const
+    {
+        const P half(T(0.5));
+        P sum(0);
+        for (int i = 1; i < model().links.size(); ++i) {
+            if (model().links[i].is_weightless) continue;
+            const Inertia<P>& its = link(i).inertia;
+            sum = sum -
+                  dot(numbers().vec(model().gravity), its.h + its.m * work().origin[model().links[i].tree]);
+        }
+        for (const Dof& dof : model().dofs) {
+            if (!dof.is_scalar) continue;
+            const P e = of.q[model().joints[dof.joint].position] - numbers()[dof.first + dof_number::kRest];
+            sum = sum + half * numbers()[dof.first + dof_number::kStiffness] * (e * e);
+        }
+        for (const BatchSum& its : model().sums) {
+            const P e = of.drives(of.q, 0).length_of(its) - numbers()[its.first + sum_number::kRest];
+            sum = sum + half * numbers()[its.first + sum_number::kStiffness] * (e * e);
+        }
+        return sum;
     }
 
     P of_actuator(SensorKind kind, int number) const
@@ -116,6 +185,8 @@ struct Sensors {
         Seen its = seen(sensor.link, sensor.first);
         if (sensor.kind == SensorKind::kGyro) return put(to, transposed_times(its.r, its.angular));
         if (sensor.kind == SensorKind::kVelocimeter) return put(to, transposed_times(its.r, its.linear));
+        if (sensor.kind == SensorKind::kMagnetometer)
+            return put(to, transposed_times(its.r, numbers().vec(sensor.reference_first)));
         if (sensor.reference >= 0) its = seen_from(seen(sensor.reference, sensor.reference_first), its);
         const Mat3Of<P>& r = its.r;
         switch (sensor.kind) {
@@ -136,40 +207,48 @@ struct Sensors {
         }
     }
 
-    // Of subtrees: the centre of mass h / m and its velocity, of the momentum, which forces of links become.
+    // Of subtrees: the centre of mass h / m, its velocity, of the momentum, which forces of links become, and the angular momentum about it.
     void find_centres() const
     {
         bool any = false;
-        for (const BatchSensor& sensor : model().sensors)
-            any |= sensor.values > 0 &&
-                   (sensor.kind == SensorKind::kCentre || sensor.kind == SensorKind::kCentreVelocity);
+        for (const BatchSensor& sensor : model().sensors) any |= is_of_subtree(sensor);
         if (!any) return;
         for (int i = 1; i < model().links.size(); ++i)
             work().link[i].force = link(i).inertia * link(i).velocity;
         gather_subtrees(model(), work());
         for (const BatchSensor& sensor : model().sensors) {
+            if (!is_of_subtree(sensor)) continue;
             const bool is_place = sensor.kind == SensorKind::kCentre;
-            if (sensor.values == 0 || !(is_place || sensor.kind == SensorKind::kCentreVelocity)) continue;
             const Subtree its = subtree(sensor.link);
-            put(out + sensor.address, inverse_or_zero(its.m) * (is_place ? its.at : its.momentum));
+            const Vec3Of<P> mean = inverse_or_zero(its.m) * (is_place ? its.at : its.momentum);
+            const bool is_turn = sensor.kind == SensorKind::kMomentum;
+            put(out + sensor.address, is_turn ? its.angular - cross(its.at, mean) : mean);
         }
+    }
+
+    static bool is_of_subtree(const BatchSensor& sensor)
+    {
+        return sensor.values > 0 && sensor.kind >= SensorKind::kCentre &&
+               sensor.kind <= SensorKind::kMomentum;
     }
 
     struct Subtree {
         P m;
-        Vec3Of<P> at, momentum;  // m times the centre's place
+        Vec3Of<P> at, momentum, angular;  // m times the centre's place; about the world's origin
     };
 
     // All links hang on the world.
     Subtree subtree(int number) const
     {
         const P zero(0);
-        Subtree sum{zero, {zero, zero, zero}, {zero, zero, zero}};
+        Subtree sum{zero, {zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}};
         for (int i = 1; i < model().links.size(); ++i) {
             if (number == 0 ? model().links[i].parent != 0 : i != number) continue;
             const LinkWork<P>& its = link(i);
             sum.m = sum.m + its.inertia.m, sum.momentum = sum.momentum + its.force.v;
-            sum.at = sum.at + its.inertia.h + its.inertia.m * work().origin[model().links[i].tree];
+            const Vec3Of<P> origin = work().origin[model().links[i].tree];
+            sum.at = sum.at + its.inertia.h + its.inertia.m * origin;
+            sum.angular = sum.angular + its.force.w + cross(origin, its.force.v);
         }
         return sum;
     }
@@ -209,19 +288,32 @@ struct Sensors {
     void read_step(const BatchSensor& sensor, P* to) const
     {
         const LinkWork<P>& its = link(sensor.link);
+        if (sensor.kind < SensorKind::kAccelerometer) return void(to[0] = limit_force(sensor));
         if (sensor.kind == SensorKind::kTouch) return void(to[0] = touching(sensor.link));
         const Vec3Of<P> p = place(sensor.link, sensor.first);
         const Mat3Of<P> r = matrix_of(its.q * numbers().quat(sensor.first + 3));
-        if (sensor.kind == SensorKind::kAccelerometer) {
+        if (sensor.kind == SensorKind::kTurningAcceleration) return put(to, its.acceleration.w);
+        if (sensor.kind <= SensorKind::kLinearAcceleration) {
             const Spatial<P>&a = its.acceleration, &v = its.velocity;
             const Vec3Of<P> at = a.v + cross(a.w, p) + cross(v.w, v.v + cross(v.w, p));
-            return put(to, transposed_times(r, at));
+            const bool is_own = sensor.kind == SensorKind::kAccelerometer;
+            return put(to, is_own ? transposed_times(r, at) : at);
         }
         const P sign(sensor.is_on_child ? -1 : 1), zero(0);
         if (sensor.link == 0) return put(to, {zero, zero, zero});
         const bool is_force = sensor.kind == SensorKind::kForce;
         const Vec3Of<P> about = is_force ? its.force.v : its.force.w - cross(p, its.force.v);
         put(to, sign * transposed_times(r, about));
+    }
+
+    P limit_force(const BatchSensor& sensor) const
+    {
+        if (sensor.kind == SensorKind::kTendonLimitForce) {
+            const int stop = model().sums[sensor.object].stop;
+            return stop < 0 ? P(0) : of.forces[model().first_sum() + stop];
+        }
+        const int limit = model().dofs[sensor.object].limit;
+        return limit < 0 ? P(0) : of.forces[3 * model().slots + limit];
     }
 
     P touching(int number) const

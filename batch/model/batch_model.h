@@ -174,14 +174,25 @@ struct BatchLoop {
     [[gnu::always_inline]] int rows() const { return is_weld ? 6 : 3; }
 };
 
-// What sensors read (lanes/sensors.h): of joints, of actuators, of frames, and, from kAccelerometer on, of the last step.
+// What sensors read (lanes/sensors.h): of joints, of actuators, of tendons, of the whole, of frames, and, from kAccelerometer on, of the
+// last step.
 enum class SensorKind {
     kPosition,
     kVelocity,
+    kLimitPlace,
+    kLimitRate,
+    kLimitForce,  // of the last step
     kJointForce,
     kActuatorForce,
     kActuatorLength,
     kActuatorRate,
+    kTendonLength,
+    kTendonRate,
+    kTendonLimitPlace,
+    kTendonLimitRate,
+    kTendonLimitForce,  // of the last step
+    kKinetic,
+    kPotential,
     kPlace,
     kTurn,
     kAxisX,
@@ -191,9 +202,13 @@ enum class SensorKind {
     kAngular,
     kVelocimeter,
     kGyro,
+    kMagnetometer,
     kCentre,
     kCentreVelocity,
+    kMomentum,
     kAccelerometer,
+    kLinearAcceleration,
+    kTurningAcceleration,
     kForce,
     kTorque,
     kTouch
@@ -202,10 +217,12 @@ enum class SensorKind {
 struct BatchSensor {
     SensorKind kind = SensorKind::kPosition;
     int address = 0, values = 0;  // among all; 0: it is not computed
-    int object = 0;               // position, dof or actuator
+    int object = 0;               // position, dof, actuator or sum
     int link = 0, first = 0;      // of a frame, and where its place and turn are among the numbers
-    int reference = -1, reference_first = 0;  // the frame that sees it; -1: the world
-    bool is_on_child = false;                 // its force is that on the link, not on its parent
+    int reference = -1,
+        reference_first = 0;   // the frame that sees it; -1: the world, of a magnetometer with its field
+    bool is_on_child = false;  // its force is that on the link, not on its parent
+    double low = 0, high = 0;  // between which it reads; both 0: any
 };
 
 struct BatchModel {

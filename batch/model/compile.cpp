@@ -220,7 +220,7 @@ bool compile(const std::shared_ptr<const Prepared>& shared, BatchModel& out, std
     const std::vector<int> sums = add_sums(out, prepared);
     for (const Actuator& actuator : model.actuators) add_actuator(out, actuator, sums);
     add_shapes(out, model);
-    add_sensors(out, model);
+    add_sensors(out, model, sums);
     add_medium(out, model);
     out.reference = reference_positions(model);
     out.positions = model.coordinates, out.velocities = int(out.dofs.size()),

@@ -49,6 +49,8 @@ std::string refused_tendon(const RobotModel& model, size_t number)
 
 std::string refused_sums(const RobotModel& model)
 {
+    if (!model.ties.empty())
+        return named("equality of tendons", model.ties[0].name) + ": a batch has no tendons with a path";
     std::string problem;
     for (size_t i = 0; i < model.couplings.size() && problem.empty(); ++i)
         problem = refused_terms(model, "coupling", model.couplings[i].name, model.couplings[i].terms);
@@ -60,7 +62,8 @@ std::string refused_actuator(const RobotModel& model)
 {
     for (const Actuator& its : model.actuators)
         if (its.wrench.link >= 0 || its.adhesive_link >= 0)
-            return named("actuator", its.name) + ": a batch has no actuators of sites and no adhesion";
+            return named("actuator", its.name) +
+                   ": a batch has no actuators of sites, no slider-cranks and no adhesion";
     for (const Actuator& its : model.actuators)
         if (its.muscle.acts || its.gain_position != 0 || its.gain_velocity != 0)
             return named("actuator", its.name) +

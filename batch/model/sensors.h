@@ -6,7 +6,7 @@
 
 namespace epode::batch {
 
-// Those that the file names, in its order; what a batch does not compute has no values.
-void add_sensors(BatchModel& out, const robots::RobotModel& model);
+// Those that the file names, in its order; what a batch does not compute has no values. sums: which one is each tendon's, -1: none.
+void add_sensors(BatchModel& out, const robots::RobotModel& model, const std::vector<int>& sums);
 
 }  // namespace epode::batch

@@ -152,6 +152,9 @@ class Batch:
         places = self.sensors
         name = self.model.sensors[sensor].name or sensor if isinstance(sensor, int) else sensor
         if name not in places:
+            for its in self.model.sensors:
+                if its.name and its.name == name:
+                    raise RefusedError(f"the sensor {name!r}: a batch does not compute sensors of kind {its.kind}, or not on {its.object!r}")
             raise ValueError(f"no sensor that a batch computes is called {sensor!r}: {', '.join(map(str, places))}")
         return self.bind("sensordata")[:, places[name]]
 

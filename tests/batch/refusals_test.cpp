@@ -49,8 +49,13 @@ TEST_F(BatchRefusals, name_the_element_that_a_batch_does_not_have)
         "<mujoco><worldbody><site name='s'/><body name='b'><joint name='j'/><geom size='.1'/><site "
         "name='t' pos='1 0 0'/></body></worldbody>";
     for (const char* actuator :
-         {"<motor name='thruster' site='t'/>", "<adhesion name='thruster' body='b' ctrlrange='0 1'/>"})
+         {"<motor name='thruster' site='t'/>", "<adhesion name='thruster' body='b' ctrlrange='0 1'/>",
+          "<motor name='thruster' cranksite='t' slidersite='s' cranklength='2'/>"})
         expect_refused((slide + "<actuator>" + actuator + "</actuator></mujoco>").c_str(), "'thruster'");
+    expect_refused((slide + "<tendon><spatial name='rope'><site site='s'/><site site='t'/></spatial></tendon>"
+                            "<equality><tendon name='tie' tendon1='rope'/></equality></mujoco>")
+                       .c_str(),
+                   "'tie'");
     for (const char* words : {"frictionloss='1'", "armature='1'"})
         expect_refused((slide + "<tendon><fixed name='drum' " + words +
                         "><joint joint='j' coef='1'/></fixed></tendon></mujoco>")

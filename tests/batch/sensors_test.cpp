@@ -209,6 +209,74 @@ TEST_F(BatchSensors, have_their_closed_forms)
     dRobotModelDestroy(other);
 }
 
+// Limits, tendons, energies, angular momenta, magnetometers and accelerations of frames: of the state as in worlds, of the step by what bears
+// a weight.
+class BatchMoreSensors : public BatchSensors {
+  protected:
+    void use(const char* text)
+    {
+        dRobotModelDestroy(model);
+        model = model_of(text);
+        sensors.resize(size_t(dRobotModelGetSensors(model, nullptr, 0)));
+        dRobotModelGetSensors(model, sensors.data(), int(sensors.size()));
+    }
+};
+
+const char* const kMeasuring =
+    R"(<mujoco><compiler angle="radian"/><option magnetic="0.3 -0.4 0.5"/><worldbody><body name="cart" pos="0.1 0.2 1"><joint name="rail" type="slide" axis="1 0.2 0" range="-0.3 0.2" stiffness="3" springref="0.1" armature="0.2"/>
+<inertial pos="0.05 0 0.02" mass="2" diaginertia="0.02 0.03 0.025"/><body name="arm" pos="0.1 0 -0.1" euler="0.3 0.2 0.1"><joint name="u" axis="0 0 1" range="-0.2 0.3"/>
+<inertial pos="0 0.02 -0.2" mass="1.1" diaginertia="0.012 0.011 0.004"/><site name="elbow" pos="0.01 0.02 -0.1" euler="0.2 0.3 -0.4"/></body></body>
+<body name="kite" pos="1 0 2"><freejoint name="loose"/><inertial pos="0.1 0 0" mass="0.9" diaginertia="0.01 0.02 0.027"/><body name="tail" pos="-0.2 0 0"><joint name="t" axis="0 1 0"/>
+<inertial pos="-0.1 0 0" mass="0.2" diaginertia="0.001 0.002 0.002"/></body></body></worldbody>
+<tendon><fixed name="sum" range="-0.2 0.1" stiffness="4" springlength="0.05"><joint joint="u" coef="0.5"/><joint joint="t" coef="-0.3"/></fixed></tendon>
+<actuator><motor joint="rail"/><motor joint="u"/><motor joint="t"/></actuator>
+<sensor><jointlimitpos joint="rail"/><jointlimitvel joint="rail"/><jointlimitpos joint="u"/><jointlimitvel joint="u"/><tendonpos tendon="sum"/><tendonvel tendon="sum"/><tendonlimitpos tendon="sum"/><tendonlimitvel tendon="sum"/>
+<e_kinetic/><e_potential/><subtreeangmom body="cart"/><subtreeangmom body="kite"/><magnetometer site="elbow"/><jointpos joint="u" cutoff="0.25"/><framepos objtype="site" objname="elbow" cutoff="0.4"/></sensor></mujoco>)";
+
+TEST_F(BatchMoreSensors, of_the_state_read_as_in_worlds)
+{
+    use(kMeasuring);
+    Copies<double> copies(model, 1, dReal(0.002));
+    Dice dice(5);
+    for (int i = 0; i < 40; ++i) {
+        const State state = any(dice);
+        put(copies, state);
+        const auto want = of_world(state, 0);
+        for (size_t k = 0; k < sensors.size(); ++k) {
+            const auto its = of(copies, k);
+            ASSERT_EQ(its.size(), want[k].size()) << sensors[k].kind;
+            for (size_t n = 0; n < its.size(); ++n)
+                EXPECT_NEAR(its[n], want[k][n], sizeof(dReal) == 8 ? 1e-9 : 1e-3) << sensors[k].kind << n;
+        }
+    }
+}
+
+// Weights on limits of a slide and of a sum of slides; and what stands feels gravity in the world's axes, turned or not.
+TEST_F(BatchMoreSensors, of_the_step_have_their_closed_forms)
+{
+    use(R"(<mujoco><worldbody><body pos="0 0 1"><joint name="j" type="slide" axis="0 0 1" range="-0.01 1"/><geom size="0.1" mass="3" contype="0" conaffinity="0"/><site name="s" euler="90 0 0"/></body>
+<body pos="1 0 1"><joint name="a" type="slide" axis="0 0 1"/><geom size="0.1" mass="1" contype="0" conaffinity="0"/></body><body pos="2 0 1"><joint name="b" type="slide" axis="0 0 1"/><geom size="0.1" mass="2" contype="0" conaffinity="0"/></body></worldbody>
+<tendon><fixed name="t" range="-0.01 1"><joint joint="a" coef="1"/><joint joint="b" coef="2"/></fixed></tendon>
+<sensor><jointlimitfrc joint="j"/><jointlimitfrc joint="a"/><tendonlimitfrc tendon="t"/><framelinacc objtype="site" objname="s"/><frameangacc objtype="site" objname="s"/><jointlimitfrc joint="j" cutoff="7"/></sensor></mujoco>)");
+    Copies<double> copies(model, 1, dReal(0.002), dReal(1e-10), 1, 2000);
+    dBatchStep(copies.id, 1000);
+    const double g = 9.81, want[] = {3 * g, 0, g, 0, 0, g, 0, 0, 0, 7};
+    const auto all = copies.read(dBatchSensors);
+    ASSERT_EQ(all.size(), std::size(want));
+    for (size_t i = 0; i < all.size(); ++i) EXPECT_NEAR(all[i], want[i], 1e-4) << i;
+}
+
+// A batch counts no time and has no geoms to measure between: such sensors have no numbers, the others theirs.
+TEST_F(BatchMoreSensors, that_are_not_computed_have_no_numbers)
+{
+    use(R"(<mujoco><worldbody><body><joint name="j"/><geom name="g" size="0.1"/></body><body><joint name="k"/><geom name="h" size="0.1"/></body></worldbody>
+<sensor><clock/><distance geom1="g" geom2="h"/><jointpos joint="j"/></sensor></mujoco>)");
+    Copies<double> copies(model, 1, dReal(0.002));
+    EXPECT_EQ(copies.size(dBatchSensors), 1);
+    EXPECT_EQ(dBatchGetSensor(copies.id, 0, nullptr), 0);
+    EXPECT_EQ(dBatchGetSensor(copies.id, 1, nullptr), 0);
+}
+
 template <typename T>
 std::uint64_t hash_of_sensors(dRobotModelID model)
 {
