@@ -317,6 +317,26 @@ bool Renderer::draw(const Picture& picture, std::string& error)
 bool Renderer::read(std::vector<std::uint8_t>& rgb, std::string& error) { return passes_->read(rgb, error); }
 void Renderer::show(unsigned framebuffer) { passes_->show(framebuffer); }
 
+void Renderer::lay(unsigned framebuffer, const Panel& panel, int x, int y, int below)
+{
+    GLuint texture = 0, from = 0;
+    glGenTextures(1, &texture);
+    glActiveTexture(GL_TEXTURE0 + kCanvasUnit);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, panel.width, panel.height, 0, GL_RGB, GL_UNSIGNED_BYTE,
+                 panel.rgb);
+    glGenFramebuffers(1, &from);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glBlitFramebuffer(0, 0, panel.width, panel.height, x, below - y, x + panel.width,
+                      below - y - panel.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glDeleteFramebuffers(1, &from);
+    glDeleteTextures(1, &texture);
+}
+
 void Renderer::set_texture(Texture texture, const Image& image)
 {
     if (texture != Texture::kNone) passes_->own[static_cast<int>(texture) - 1] = fitted(image);

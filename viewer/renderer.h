@@ -16,6 +16,12 @@
 
 namespace epode::viewer {
 
+// Pixels to lay over a picture: width * height * 3 bytes, rows from the top.
+struct Panel {
+    int width = 0, height = 0;
+    const std::uint8_t* rgb = nullptr;
+};
+
 class Renderer {
   public:
     Renderer();
@@ -37,6 +43,10 @@ class Renderer {
 
     // Copies the last picture into the lower left corner of a framebuffer (0: the window's).
     void show(unsigned framebuffer);
+
+    // Lays an image over a framebuffer (0: the window's) that is `below` pixels high: its upper left corner goes x to the right and y
+    // below the framebuffer's.
+    static void lay(unsigned framebuffer, const Panel& panel, int x, int y, int below);
 
   private:
     struct Passes;

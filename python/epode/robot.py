@@ -703,7 +703,7 @@ class Robot:
     def _begin_steps(self) -> None:
         self._acts: bool | None = None  # whether anything acts from step to step; None: no step has told yet
         self._pushed = False  # by the program, since the last step
-        self._senses = any(sensor.kind in ("accelerometer", "gyro") for sensor in self.model.sensors)
+        self._senses = any(sensor.kind in ("accelerometer", "gyro", "framelinacc", "frameangacc", "clock") for sensor in self.model.sensors)
         self._measured = False  # after the last step
 
     @property

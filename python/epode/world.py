@@ -96,13 +96,14 @@ class World(Object):
     destroyed too when nothing refers to it, or to anything in it, any more."""
 
     __slots__ = ("_bodies", "_joints", "_geoms", "_space", "_body_list", "bodies", "_group", "_past", "_edition", "_recording", "stepper", "_robots", "_fluids",
-                 "_assemblies")
+                 "_assemblies", "_hands")
     _bodies: dict[c.dBodyID, Body]
     _joints: dict[c.dJointID, Joint]
     _geoms: dict[int, Geom]
     _space: c.dSpaceID
     _body_list: c.BodyList | None
     _past: collections.deque[Past] | None  # after the steps that can be taken back
+    _hands: list[Callable[[float], None]]  # of windows: called with its size before each step of ``step``
     stepper: str  # of step()
     _edition: int  # grows when something is made or destroyed
     _recording: Recording | None
@@ -124,6 +125,7 @@ class World(Object):
             raise ValueError(f"no defaults are called {defaults!r}: {', '.join(_DEFAULTS)}")
         self._live = c.dWorldCreate()
         self._bodies, self._joints, self._geoms, self._body_list, self._past, self._recording = {}, {}, {}, None, None, None
+        self._hands = []
         self._edition = 0
         self._robots = []
         self._fluids = []
@@ -490,6 +492,8 @@ class World(Object):
         for _ in range(steps):
             for robot in acting:
                 robot._act(h)
+            for hand in self._hands:
+                hand(h)
             begin = time.perf_counter() if self._recording is not None else 0.0
             take(handle, h)
             for robot in sensing:
@@ -760,6 +764,7 @@ class World(Object):
         world = cls.__new__(cls)
         world._live, world._space, world._group = handle, space, c.dJointGroupCreate(0)
         world._bodies, world._joints, world._geoms, world._body_list, world._past, world._recording = {}, {}, {}, None, None, None
+        world._hands = []
         world._edition, world.bodies, world.stepper, world._robots = 0, Bodies(world), "exact", []
         world._assemblies = []
         found = [c.dWorldGetFluid(handle, i) for i in range(c.dWorldGetNumFluids(handle))]

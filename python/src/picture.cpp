@@ -8,6 +8,7 @@
 #ifdef EPODE_HAVE_DRAWING
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 
 #include "studio.h"
@@ -36,6 +37,20 @@ void set_camera(Studio& studio, const View& view)
     if (view.field > 0) picture.camera.fov = float(view.field * 180 / 3.14159265358979323846);
 }
 
+// Lines that a program adds: nine floats each, both ends and the colour.
+void add_lines(viewer::Picture& picture, const nb::bytes& from)
+{
+    constexpr size_t kSize = 9 * sizeof(float);
+    for (size_t at = 0; at + kSize <= from.size(); at += kSize) {
+        float its[9];
+        std::memcpy(its, from.c_str() + at, kSize);
+        viewer::Line line;
+        std::copy_n(its, 3, line.a), std::copy_n(its + 3, 3, line.b);
+        line.color = {its[6], its[7], its[8]};
+        picture.lines.push_back(line);
+    }
+}
+
 // Draws into the context that was current when it was made; it is used and dies while that one is current.
 class Painter {
   public:
@@ -46,19 +61,29 @@ class Painter {
         if (!renderer_->open(problem)) fail(problem);
     }
 
-    void draw(const WorldRecording& from, size_t state, int width, int height, nb::object eye,
-              nb::object target)
+    void draw(const WorldRecording& from, size_t state, int width, int height, const View& view,
+              const nb::bytes& lines)
     {
         if (state >= from.recording.steps.size()) throw nb::index_error("there is no such state");
         Studio studio(from.recording, state);
         studio.picture.width = width;
         studio.picture.height = height;
         studio.picture.quality = viewer::kQuick;
-        set_camera(studio, {eye, target});
+        set_camera(studio, view);
+        add_lines(studio.picture, lines);
         std::string problem;
         if (!viewer::check_picture(studio.picture, problem) || !renderer_->draw(studio.picture, problem))
             fail(problem);
         renderer_->show(0);
+    }
+
+    // An image of rows from the top over the window, which is `below` pixels high, from x to the right and y down on.
+    static void lay(const nb::bytes& pixels, int width, int height, int x, int y, int below)
+    {
+        if (width < 1 || height < 1 || pixels.size() != 3 * size_t(width) * size_t(height))
+            throw nb::value_error("pixels of three bytes each are expected, as many as the panel has");
+        viewer::Renderer::lay(0, {width, height, reinterpret_cast<const std::uint8_t*>(pixels.c_str())}, x, y,
+                              below);
     }
 
     void close() { renderer_.reset(); }
@@ -112,8 +137,15 @@ void bind_picture(nb::module_& m)
 {
     nb::class_<Painter>(m, "_Painter")
         .def(nb::init<>())
-        .def("draw", &Painter::draw, "recording"_a, "state"_a, "width"_a, "height"_a, "eye"_a.none(),
-             "target"_a.none())
+        .def(
+            "draw",
+            [](Painter& its, const WorldRecording& from, size_t state, int width, int height, nb::object eye,
+               nb::object target, nb::object up, double field, const nb::bytes& lines) {
+                its.draw(from, state, width, height, {eye, target, up, field}, lines);
+            },
+            "recording"_a, "state"_a, "width"_a, "height"_a, "eye"_a.none(), "target"_a.none(),
+            "up"_a.none() = nb::none(), "field"_a = 0.0, "lines"_a = nb::bytes("", 0))
+        .def_static("lay", &Painter::lay, "pixels"_a, "width"_a, "height"_a, "x"_a, "y"_a, "below"_a)
         .def("close", &Painter::close);
     m.def("_camera", camera, "recording"_a, "state"_a, "aspect"_a);
     m.def("_screen", screen, "width"_a, "height"_a);

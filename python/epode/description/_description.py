@@ -200,10 +200,14 @@ class Description:
         others of MJCF. words: properties of ``Actuator`` and attributes of MJCF."""
         return self._append("actuator", Actuator(kind), name, {"joint": joint, "tendon": tendon, **words})  # type: ignore[no-any-return]
 
-    def add_sensor(self, name: str, kind: str, on: Part | str, **words: Word | None) -> Sensor:
+    def add_sensor(self, name: str, kind: str, on: Part | str | None = None, **words: Word | Part | None) -> Sensor:
         """A sensor of one of MJCF's kinds on an element of the description; on: it, or its name where the kind says what it is (jointpos: a
-        joint, accelerometer: a site and so on)."""
-        sensor, its = Sensor(kind), name_of(on)
+        joint, accelerometer: a site and so on); None: of the whole robot (clock, e_kinetic), or the words say it (distance: geom1 or body1, geom2
+        or body2)."""
+        sensor = Sensor(kind)
+        if on is None:
+            return self._append("sensor", sensor, name, dict(words))  # type: ignore[no-any-return]
+        its = name_of(on)
         if kind.startswith("frame"):
             space = on.space if isinstance(on, Part) else "site" if its in self.sites.names else "body"
             words = {"objtype": "xbody" if space == "body" else space, "objname": its, **words}
