@@ -24,8 +24,8 @@ def _reach(robot: Robot, its: Actuator) -> tuple[float, float]:
     joint = robot.model.joints[its.joint] if its.joint >= 0 else None
     if joint is not None and its.kind == "position" and not math.isfinite(its.low):
         return _ends(joint.low, joint.high, math.pi)
-    most = joint.max_force if joint is not None and math.isfinite(joint.max_force) and joint.max_force > 0 else 10.0
-    return _ends(its.low, its.high, most)
+    largest = joint.max_force if joint is not None and math.isfinite(joint.max_force) and joint.max_force > 0 else 10.0
+    return _ends(its.low, its.high, largest)
 
 
 def _actuator_slider(robot: Robot, number: int, its: Actuator) -> Slider:

@@ -23,7 +23,7 @@ WIDE, HIGH = 6, 8  # of a letter with its gap, in dots
 
 
 def text_dots(text: str) -> NDArray[np.bool_]:
-    """The dots of a text, 8 rows; what is no printable ASCII is a question mark."""
+    """The dots of a text, 8 rows; "?" for what is no printable ASCII."""
     codes = [ord(one) - 32 if 32 <= ord(one) < 127 else ord("?") - 32 for one in text]
     out = np.zeros((HIGH, WIDE * len(codes)), bool)
     for i, code in enumerate(codes):
