@@ -74,6 +74,33 @@ DIFFERENCE(D33, euler_stops, "stops of an Euler motor from the world to a body k
     return std::fabs(turned) < 0.25;
 }
 
+DIFFERENCE(D51, gimbal_lock, "stops of Euler angles near gimbal lock give a body no more than ERP asks of each")
+{
+    const World world;
+    const dBodyID b = world.body();
+    const dJointID motor = attached(dJointCreateAMotor(world.id, nullptr), b, nullptr);
+    dJointSetAMotorMode(motor, dAMotorEuler);
+    dJointSetAMotorAxis(motor, 0, 1, 1, 0, 0);
+    dJointSetAMotorAxis(motor, 2, 2, 0, 0, 1);
+    for (const int group : {0, int(dParamGroup3)}) {
+        dJointSetAMotorParam(motor, dParamLoStop + group, -0.5);
+        dJointSetAMotorParam(motor, dParamHiStop + group, 0.5);
+    }
+    double fastest = 0;
+    for (const double x : {-1.0, -0.7, 0.7, 1.0})
+        for (const double z : {-1.0, -0.7, 0.7, 1.0}) {
+            dMatrix3 X, Y, Z, YX, R;
+            dRFromAxisAndAngle(X, 1, 0, 0, x), dRFromAxisAndAngle(Y, 0, 1, 0, 1.57);
+            dRFromAxisAndAngle(Z, 0, 0, 1, z);
+            dMultiply0(YX, Y, X, 3, 3, 3), dMultiply0(R, Z, YX, 3, 3, 3);
+            dBodySetRotation(b, R), dBodySetAngularVel(b, 0, 0, 0);
+            world.step();
+            fastest = std::fmax(fastest, size(dBodyGetAngularVel(b)));
+        }
+    note("fastest", fastest);
+    return fastest < 2000;
+}
+
 bool stays_together(dJointID joint, const World& world, dBodyID b)
 {
     static_cast<void>(joint);
