@@ -75,11 +75,13 @@ bool fits(const Start& start) { return all_fit(start.positions) && all_fit(start
 bool fits(const Mesh& mesh) { return all_fit(mesh.vertices); }
 bool fits(const HeightField& f) { return fits(f.half_x) && fits(f.half_y) && fits(f.top) && fits(f.base); }
 
-int line_of(...) { return 0; }
 template <typename Item>
-auto line_of(const Item& item) -> decltype(item.line)
+int line_of(const Item& item)
 {
-    return item.line;
+    if constexpr (requires { item.line; })
+        return item.line;
+    else
+        return 0;
 }
 
 void refuse(RobotModel& model, int line, const std::string& what)
