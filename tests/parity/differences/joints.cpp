@@ -74,7 +74,8 @@ DIFFERENCE(D33, euler_stops, "stops of an Euler motor from the world to a body k
     return std::fabs(turned) < 0.25;
 }
 
-DIFFERENCE(D51, gimbal_lock, "stops of Euler angles near gimbal lock give a body no more than ERP asks of each")
+DIFFERENCE(D51, gimbal_lock,
+           "stops of Euler angles near gimbal lock give a body no more than ERP asks of each")
 {
     const World world;
     const dBodyID b = world.body();
@@ -98,7 +99,7 @@ DIFFERENCE(D51, gimbal_lock, "stops of Euler angles near gimbal lock give a body
             fastest = std::fmax(fastest, size(dBodyGetAngularVel(b)));
         }
     note("fastest", fastest);
-    return fastest < 2000;
+    return fastest < 2 * 2 * 0.2 * (3.15 - 0.5) / kStep;
 }
 
 bool stays_together(dJointID joint, const World& world, dBodyID b)
