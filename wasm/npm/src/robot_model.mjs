@@ -174,6 +174,7 @@ export class RobotModel extends Handle {
         const label = 'RobotModel.build', e = this.engine, given = options_of(options, ['position', 'quaternion', 'positions'], label), {handle} = this;
         const to = e.pointer_to(world, World, label, 'world'), place = vector(given.position ?? [0, 0, 0], label, 'position');
         const q = quaternion(given.quaternion ?? [1, 0, 0, 0], label, 'quaternion');
+        if (!(Math.hypot(...q) > 0)) refuse(label, 'quaternion', 'a quaternion of a length above 0', given.quaternion);
         const begin = given.positions === undefined ? null : numbers(given.positions, this.positionCount, label, 'positions');
         world.refresh();
         e.put_vector(e.base, place), e.put_quaternion(e.base + 32, q);
