@@ -45,7 +45,7 @@ WORDS = set("""
     quality r radius range ratio ray rel requirements reserve resources room s scale seconds side size slip
     solid solution source space sphere start stats step stepper steps t text the threads threshold time tolerance
     centre current fluid settings struct_size surface volume angle backlash batch box by category contacts cooperative Data directions events geoms gravity lengths most origin other
-    report velocities model robot links joints poses actuator link result skip torque transform triangle type u v value vector vel vertices w way width world x y z
+    report velocities model robot links joints poses actuator actuators link result skip torque transform triangle type u v value vector vel vertices w way width world x y z
 """.split())
 # What points to another place of a page.
 PLACES = re.compile(r"""

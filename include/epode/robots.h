@@ -159,8 +159,8 @@ ODE_API int dRobotModelFindActuator(dRobotModelID model, const char* name);
       robot to positions. Returns how many there are.
     - dRobotModelGetStart: Copies up to capacity coordinates of the start pose of that number to positions.
       Returns how many there are. Refused: a number outside 0 ... dRobotModelGetNumStarts - 1.
-    - dRobotModelGetStartName: Returns the name of that start pose, which lives as long as the model. Refused: the
-      same (NULL is returned). [ours] */
+    - dRobotModelGetStartName: Returns the name of that start pose, which lives as long as the model. NULL is
+      returned where the number is refused. [ours] */
 ODE_API int dRobotModelGetReference(dRobotModelID model, dReal* positions, int capacity);
 ODE_API int dRobotModelGetStart(dRobotModelID model, int number, dReal* positions, int capacity);
 ODE_API const char* dRobotModelGetStartName(dRobotModelID model, int number);

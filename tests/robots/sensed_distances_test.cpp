@@ -31,7 +31,7 @@ const char* const kMeasured =
     "<fromto body1='fixed' body2='a' cutoff='2'/><distance geom1='ball' geom2='box'/><fromto geom1='ball' "
     "geom2='box'/>"
     "<distance geom1='ball' geom2='box' cutoff='.1'/><insidesite objtype='xbody' objname='a' site='room'/>"
-    "<insidesite objtype='body' objname='fixed' site='room'/><framepos objtype='body' objname='b' "
+    "<insidesite objtype='body' objname='fixed' site='room'/><framepos objtype='xbody' objname='b' "
     "cutoff='.15'/>"
     "<clock/><jointpos joint='h' cutoff='.2'/></sensor></mujoco>";
 

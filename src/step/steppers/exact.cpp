@@ -116,6 +116,7 @@ Outcome step_once(IslandRun& run)
         if (!closes_stops)
             if (const std::optional<Outcome> outcome = try_tree(run)) return *outcome;
         load_all_pushed(run.world, run.context.h, work);
+        load_warm_start(run, {});
     }
     if (!run.raise_inertias(work.system.h, kResolvedExactly)) return Outcome::kNoMemory;
     const bool solved = solve_in_budget(run);
