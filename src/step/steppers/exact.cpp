@@ -103,6 +103,14 @@ std::optional<Outcome> try_tree(IslandRun& run)
     return std::nullopt;
 }
 
+// As the step would have begun without the attempt.
+void begin_in_bodies(IslandRun& run)
+{
+    load_all_pushed(run.world, run.context.h, run.work);
+    for (RowNumbers& n : run.work.system.numbers) n.p = 0;
+    load_warm_start(run, {});
+}
+
 Outcome step_once(IslandRun& run)
 {
     IslandWork& work = run.work;
@@ -115,8 +123,7 @@ Outcome step_once(IslandRun& run)
     if (in_tree) {
         if (!closes_stops)
             if (const std::optional<Outcome> outcome = try_tree(run)) return *outcome;
-        load_all_pushed(run.world, run.context.h, work);
-        load_warm_start(run, {});
+        begin_in_bodies(run);
     }
     if (!run.raise_inertias(work.system.h, kResolvedExactly)) return Outcome::kNoMemory;
     const bool solved = solve_in_budget(run);
