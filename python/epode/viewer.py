@@ -69,9 +69,9 @@ class Window:
     def __init__(self, subject: World | Recording, *, width: int = 1280, height: int = 720, title: str | None = None, panel: bool = True,
                  contacts: bool = False, arrows: float = 0.3, push_speed: float = 1.0, record_to: str | os.PathLike[str] = "recording.epr") -> None:
         """Open a window. subject: a world, or a recording to play. width, height: in pixels. title: of the window. panel: whether a world's
-        panel is shown. contacts: whether contacts are. arrows: how long the average weight of a body is as an arrow, m. push_speed: what a
-        push gives the body's mass, m/s. record_to: where ``record`` saves (.epr, .glb, .html or .csv); a number is added where that file is
-        there."""
+        panel is shown, where the window is twice as wide. contacts: whether contacts are. arrows: how long the average weight of a body is as
+        an arrow, m. push_speed: what a push gives the body's mass, m/s. record_to: where ``record`` saves (.epr, .glb, .html or .csv); a number
+        is added where that file is there."""
         self._window: Any = None
         self._painter: Any = None
         self._subject = subject
@@ -246,7 +246,7 @@ class Window:
 
     @property
     def _has_panel(self) -> bool:
-        return self.show_panel and not isinstance(self._subject, Recording)
+        return self.show_panel and not isinstance(self._subject, Recording) and self._size()[0] >= 2 * WIDTH
 
     def _make_rows(self) -> None:
         """Make the rows again after something in the world was made or destroyed, but not while a slider is held."""
