@@ -3303,7 +3303,7 @@ extern "C" {
     /// fraction. So where most joints are hinges, sliders, balls and fixed ones that have no springs of their own and are closed to the tolerance of
     /// dWorldSetStepProjection (joints that close loops, and those of other types, are solved with them), bodies turn by less than 2 rad in a step, no
     /// kinematic body that moves holds a joint, and loads do not make light links swing faster than it follows; contacts, stops, motors and drives may
-    /// act, but where dWorldStepHybrid limits the time of exact steps, no contacts and few of the others. Other islands are solved as in mode 0:
+    /// act, but where dWorldStepHybrid limits the time of exact steps, no contacts, few bodies and few of the others. Other islands are solved as in mode 0:
     /// dIslandStepReport::method says how. Other values are refused, as is a call during a step.
     pub fn dWorldSetJointCoordinates(world: dWorldID, mode: c_int);
     /// The mode that dWorldSetJointCoordinates has set, 0 at first.

@@ -435,8 +435,8 @@ extern "C" {
     /// Copies up to capacity coordinates of the start pose of that number to positions.
     /// Returns how many there are. Refused: a number outside 0 ... dRobotModelGetNumStarts - 1.
     pub fn dRobotModelGetStart(model: dRobotModelID, number: c_int, positions: *mut dReal, capacity: c_int) -> c_int;
-    /// Returns the name of that start pose, which lives as long as the model. Refused: the
-    /// same (NULL is returned).
+    /// Returns the name of that start pose, which lives as long as the model. NULL is
+    /// returned where the number is refused.
     pub fn dRobotModelGetStartName(model: dRobotModelID, number: c_int) -> *const c_char;
     /// Writes the pose of up to capacity links in the model's world to poses, 7 reals each: position, m, and
     /// quaternion. positions: count coordinates. Returns how many links there are. Refused: a count other than
