@@ -2,6 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 #include "step/steppers/exact_tree.h"
 
+#include <algorithm>
+
 #include "step/island/positions/position_rows.h"
 #include "step/island/positions/tension.h"
 #include "step/island/report.h"
@@ -104,6 +106,13 @@ class TreeRun {
         return solve_.resolves(of_links, double(kResolvedExactly));
     }
 
+    // Such rows do not yield.
+    int bounded_rows() const
+    {
+        return int(std::count_if(system_.numbers.begin(), system_.numbers.end(),
+                                 [](const RowNumbers& n) { return n.bounded(); }));
+    }
+
     // Besides those of joints: they make a dense problem.
     int most_rows() const { return has_budget(run_) ? kFewRows : TreeSolve::kMaxRows; }
 
@@ -117,6 +126,7 @@ class TreeRun {
 
     bool choose_kinds()
     {
+        if (bounded_rows() > most_rows()) return false;
         for (const Body* body : work_.island.bodies) {
             if (body->max_angular_speed < kInf || !(body->finite_axis == Vec3{})) return false;
             if (!body->gyroscopic && !isotropic(body->inertia)) return false;
