@@ -87,7 +87,6 @@ bool projects_poses(const IslandRun& run)
     return run.world.projection_iterations > 0 && run.context.correction == 1;
 }
 
-// What the step has become in joint coordinates; none: rows must make it.
 std::optional<Outcome> try_tree(IslandRun& run)
 {
     switch (step_in_tree(run)) {
@@ -103,12 +102,19 @@ std::optional<Outcome> try_tree(IslandRun& run)
     return std::nullopt;
 }
 
-// As the step would have begun without the attempt.
-void begin_in_bodies(IslandRun& run)
+// What the step has become in joint coordinates; none: rows must make it, and the step begins again as without the attempt.
+std::optional<Outcome> try_tree_first(IslandRun& run, bool closes_stops)
 {
+    Arena::Scope scope(run.arena);
+    const std::span<RowNumbers> numbers = run.work.system.numbers;
+    const auto begun = run.arena.take<Real>(int(numbers.size()));
+    if (run.arena.failed()) return Outcome::kNoMemory;
+    for (std::size_t i = 0; i < begun.size(); ++i) begun[i] = numbers[i].p;
+    if (!closes_stops)
+        if (const std::optional<Outcome> outcome = try_tree(run)) return outcome;
+    for (std::size_t i = 0; i < begun.size(); ++i) numbers[i].p = begun[i];
     load_all_pushed(run.world, run.context.h, run.work);
-    for (RowNumbers& n : run.work.system.numbers) n.p = 0;
-    load_warm_start(run, {});
+    return std::nullopt;
 }
 
 Outcome step_once(IslandRun& run)
@@ -120,11 +126,8 @@ Outcome step_once(IslandRun& run)
     if (projects) leave_depth_to_projection(run.world, work);
     const bool closes_stops = !projects && may_move && leave_stops_to_poses(run.world, work.system);
     load_warm_start(run, {});
-    if (in_tree) {
-        if (!closes_stops)
-            if (const std::optional<Outcome> outcome = try_tree(run)) return *outcome;
-        begin_in_bodies(run);
-    }
+    if (in_tree)
+        if (const std::optional<Outcome> outcome = try_tree_first(run, closes_stops)) return *outcome;
     if (!run.raise_inertias(work.system.h, kResolvedExactly)) return Outcome::kNoMemory;
     const bool solved = solve_in_budget(run);
     if (run.arena.failed()) return Outcome::kNoMemory;
