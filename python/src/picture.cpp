@@ -78,7 +78,7 @@ class Painter {
     }
 
     // An image of rows from the top over the window, which is `below` pixels high, from x to the right and y down on.
-    static void lay(const nb::bytes& pixels, int width, int height, int x, int y, int below)
+    void lay(const nb::bytes& pixels, int width, int height, int x, int y, int below)
     {
         if (width < 1 || height < 1 || pixels.size() != 3 * size_t(width) * size_t(height))
             throw nb::value_error("pixels of three bytes each are expected, as many as the panel has");
@@ -145,7 +145,7 @@ void bind_picture(nb::module_& m)
             },
             "recording"_a, "state"_a, "width"_a, "height"_a, "eye"_a.none(), "target"_a.none(),
             "up"_a.none() = nb::none(), "field"_a = 0.0, "lines"_a = nb::bytes("", 0))
-        .def_static("lay", &Painter::lay, "pixels"_a, "width"_a, "height"_a, "x"_a, "y"_a, "below"_a)
+        .def("lay", &Painter::lay, "pixels"_a, "width"_a, "height"_a, "x"_a, "y"_a, "below"_a)
         .def("close", &Painter::close);
     m.def("_camera", camera, "recording"_a, "state"_a, "aspect"_a);
     m.def("_screen", screen, "width"_a, "height"_a);
