@@ -224,7 +224,7 @@ TEST(JointLoops, four_bars_keep_their_energy_and_turn_over)
             ASSERT_LT(joint_error(bars.sim_.world), tol(1e-6, 1e-3)) << h << ' ' << i;
         }
         EXPECT_GT(in_joints, steps * 99 / 100) << h;
-        EXPECT_LT(worst, 0.1 * h / (1 / 60.) * std::fabs(first)) << h;
+        EXPECT_LT(worst, (0.006 * 3600 * h * h + tol(0, 0.01)) * first) << h;  // of second order
     }
 }
 
