@@ -14,7 +14,7 @@ namespace {
 constexpr int kRounds = 8, kPasses = 12, kSweeps = 6;
 constexpr int kPatience = 3;  // passes in the first round that do not halve the error: states go round
 
-constexpr double kMostWork = 4e6;  // unknowns cubed, of all systems: what the rows of bodies take
+constexpr double kMostWork = 4e6;  // unknowns cubed, of all systems; then rows of bodies make the step
 
 }  // namespace
 

@@ -36,7 +36,7 @@ bool has_budget(const IslandRun& run)
     return !run.methods().empty() && run.methods().front().max_work < kInf;
 }
 
-constexpr std::size_t kFewBodies = 32;  // of an island with a budget: some 50 microseconds, as of kFewRows
+constexpr std::size_t kFewBodies = 32;  // of an island with a budget, whose time here is not metered
 
 bool touches(const Island& island) { return !island.manifolds.empty() || island.plain_contacts > 0; }
 
@@ -181,7 +181,7 @@ class TreeRun {
     }
 
     static constexpr Real kLeastArm = Real(0.01);  // m
-    static constexpr int kFewRows = 24;            // some 50 microseconds
+    static constexpr int kFewRows = 24;            // with a budget
 
     IslandRun& run_;
     IslandWork& work_;
