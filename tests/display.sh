@@ -17,11 +17,12 @@ trap finish EXIT
 fail() { echo "window: $*" >&2; cat out err >&2; exit 1; }
 skip() { echo "window: $*"; exit 77; }
 
-# start_display WIDTH HEIGHT: a server of its own, in DISPLAY.
+# start_display WIDTH HEIGHT: a server of its own, in DISPLAY. Without -noreset it starts anew each time that its last client
+# leaves, and refuses whoever comes meanwhile: here the program, right after xdotool has asked.
 start_display() {
     command -v Xvfb > /dev/null && command -v xdotool > /dev/null || skip "no Xvfb or xdotool"
     exec 3> display.number
-    Xvfb -displayfd 3 -screen 0 "$1x$2x24" -nolisten tcp -r > server.log 2>&1 &
+    Xvfb -displayfd 3 -screen 0 "$1x$2x24" -nolisten tcp -noreset -r > server.log 2>&1 &
     server=$!
     for _ in $(seq 300); do [ -s display.number ] && break; sleep 0.1; done
     [ -s display.number ] || skip "Xvfb does not start"

@@ -96,7 +96,7 @@ print(json.dumps(out))
 def test_a_window_shows_a_world_and_a_recording(tmp_path):
     program = tmp_path / "program.py"
     program.write_text(PROGRAM)
-    result = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 640x480x24", sys.executable, str(program), str(tmp_path / "window.png")],
+    result = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 640x480x24 -noreset", sys.executable, str(program), str(tmp_path / "window.png")],
                             capture_output=True, text=True, timeout=300)
     assert result.returncode == 0, result.stderr
     said = json.loads(result.stdout.splitlines()[-1])

@@ -47,26 +47,25 @@ def check_symbols(binary, library):
 
 
 class Screen:
-    """An X server of 800 x 600 without a screen; it tells its number when it is ready."""
+    """An X server of 800 x 600 without a screen; it tells its number when it is ready.
+
+    Without -noreset it would start anew when its last client leaves, and refuse whoever comes meanwhile.
+    """
 
     def __enter__(self):
         reading, writing = os.pipe()
-        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", "800x600x24", "-nolisten", "tcp"], pass_fds=[writing],
-                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", "800x600x24", "-nolisten", "tcp", "-noreset"],
+                                       pass_fds=[writing], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(writing)
         with os.fdopen(reading) as pipe:
             number = pipe.readline().strip()
         self.environment = dict(os.environ, DISPLAY=":" + number, SDL_AUDIODRIVER="dummy", LIBGL_ALWAYS_SOFTWARE="1",
                                 PLODE_NO_SOUND="1", PLODE_NO_SHADOWS="1", PLODE_LOW_DETAIL="1")
-        # A server without clients resets when the last one leaves, which the next may run into: this one stays.
-        self.keeper = subprocess.Popen(["xev", "-root"], env=self.environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        time.sleep(1)
         return self
 
     def __exit__(self, *_):
-        for process in (self.keeper, self.server):
-            process.terminate()
-            process.wait()
+        self.server.terminate()
+        self.server.wait()
 
     def picture(self, path):
         with open(path + ".xwd", "wb") as file:
