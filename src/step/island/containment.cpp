@@ -72,9 +72,7 @@ void set_part_aside(IslandRun& run, int part, Real correction)
 
 bool bounds_corrections(const IslandRun& run)
 {
-    const World& world = run.world;
-    if (world.acts_as_ode() || !(world.contact_max_vel < kInf)) return false;
-    return run.may_try_again || world.projection_iterations > 0;
+    return !run.world.acts_as_ode() && run.world.contact_max_vel < kInf;
 }
 
 Real correctable(const IslandRun& run, const IslandWork& work, Real h)

@@ -17,8 +17,8 @@ bool keeps_numbers(const Body& body);
 void contain_part(IslandRun& run, int part);
 // The same, to be solved again with this share of its corrections.
 void set_part_aside(IslandRun& run, int part, Real correction);
-// Whether what corrections throw is looked for: in worlds that bound their speed, as the presets do (dWorldSetContactMaxCorrectingVel), where sweeps or
-// projection make it. An exact solution alone is the law, and without a bound ERP moves bodies as fast as it asks, as in ODE.
+// Whether what corrections throw is looked for: in worlds that bound their speed, as the presets do (dWorldSetContactMaxCorrectingVel). Without a
+// bound ERP moves bodies as fast as it asks, as in ODE.
 bool bounds_corrections(const IslandRun& run);
 // The share of the corrections of a solution that does not throw the island; 1: this one does not, or nothing is left of them.
 Real correctable(const IslandRun& run, const IslandWork& work, Real h);

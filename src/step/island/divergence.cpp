@@ -47,6 +47,9 @@ PartMotion motion_of(const IslandWork& work, int first, int last, Real h, const 
     return all;
 }
 
+// Twice the kinetic energy.
+double energy_at_correcting(double mass) { return mass * double(kCorrecting * kCorrecting); }
+
 // T <= sum (m v^2 + w^2 tr I) / 2, as no principal moment is larger than their sum: where that is below the mass's part of
 // the bound, nothing has diverged. Nearly every step ends here.
 bool is_slow(const IslandWork& work, int first, int last)
@@ -60,7 +63,7 @@ bool is_slow(const IslandWork& work, int first, int last)
         mass += double(body.mass.mass);
         fast += double(body.mass.mass * length2(solved.v) + trace * length2(solved.w));
     }
-    return fast <= 2 * mass * double(kCorrecting * kCorrecting);
+    return fast <= 2 * energy_at_correcting(mass);
 }
 
 // J_K v_K of the bodies that move by themselves.
@@ -205,6 +208,25 @@ double asked_by_corrections(const Whole& whole, const Supply& sum)
     return whole.mass * sum.linear + whole.inertia * sum.angular;
 }
 
+bool diverges(const PartMotion& motion, const Supply& sum, bool bounds_corrections)
+{
+    const double bound = motion.forced + energy_at_correcting(motion.mass),
+                 gain = motion.solved - motion.forced;
+    if (!(gain > bound)) return false;
+    return gain - std::max(0.0, sum.by_targets) - sum.by_springs > bound ||
+           (bounds_corrections && sum.beyond > gain);
+}
+
+// Of what has not diverged.
+Real correctable_share(const PartMotion& motion, const Supply& sum, const Whole& whole)
+{
+    const double slow = energy_at_correcting(motion.mass), gain = motion.solved - motion.forced;
+    const double A = std::min(asked_by_corrections(whole, sum), slow);
+    const double others = std::max(0.0, sum.by_targets - sum.by_corrections) + sum.by_springs;
+    const double allowed = slow + A + std::sqrt(2 * motion.forced * A) + others;
+    return gain > allowed ? Real(std::sqrt(allowed / gain) / 2) : Real(1);
+}
+
 }  // namespace
 
 SolutionEnergy judge_energy(const IslandWork& work, int part, Real h, bool bounds_corrections,
@@ -213,18 +235,13 @@ SolutionEnergy judge_energy(const IslandWork& work, int part, Real h, bool bound
     const SystemPart from = work.system.begin_of(part), to = work.system.end_of(part);
     if (is_slow(work, from.bodies, to.bodies)) return {};
     const PartMotion motion = motion_of(work, from.bodies, to.bodies, h, tasks, arena);
-    const double bound = motion.forced + motion.mass * double(kCorrecting * kCorrecting);
     const double gain = motion.solved - motion.forced;
-    if (!(gain > bound)) return {};
+    if (!(gain > energy_at_correcting(motion.mass))) return {};
     const Supply sum = supply_to(work, from, to);
     SolutionEnergy energy;
-    energy.diverged = gain - std::max(0.0, sum.by_targets) - sum.by_springs > bound;
-    if (!bounds_corrections) return energy;
-    energy.diverged = energy.diverged || sum.beyond > gain;
-    const double asked = asked_by_corrections(whole_of(work, from.bodies, to.bodies), sum);
-    const double others = std::max(0.0, sum.by_targets - sum.by_corrections) + sum.by_springs;
-    const double allowed = bound + asked + others;
-    if (gain > allowed) energy.correctable = Real(std::sqrt(allowed / gain) / 2);
+    energy.diverged = diverges(motion, sum, bounds_corrections);
+    if (bounds_corrections)
+        energy.correctable = correctable_share(motion, sum, whole_of(work, from.bodies, to.bodies));
     return energy;
 }
 

@@ -10,8 +10,8 @@
 // so the kinetic energy T of a solution, converged or not, is at most T* and what the targets put in. Impulses of the
 // last step that no longer fit, along arms many times longer than the radius of gyration, begin with D > 0, and bounds of
 // friction that shrink let go of what they held, or grow with what they hold: then a few sweeps can end above any energy.
-// Only gains G = T - T* above T* + m (3 m/s)^2 are looked at; the speed is the largest of corrections of positions, of
-// which relaxing may leave a part. A part has diverged if
+// Only gains G = T - T* above m (3 m/s)^2 are looked at; the speed is the largest of corrections of positions, of which relaxing may
+// leave a part. A part has diverged if G > T* + m (3 m/s)^2 and
 //
 //   G - max(0, p c') - sum c^2/C  >  T* + m (3 m/s)^2     with c^2/C of springs, twice what they hold, or
 //   sum max(0, p_i (J_i v + C p_i - c_i))  >  G           what rigid rows have worked past their targets; 0 of a solution.
@@ -20,12 +20,13 @@
 // A solution that has not diverged may throw bodies too: near a dead centre a correction of 1 cm asks levers for a thousand
 // times its own velocity. Corrections c_i = rate_i error_i of a joint give its bodies at most their energy at these velocities, and
 //
-//   A = m sum c_i^2 + I (the same of angles),     m of all of the part, I about its centre of mass,
+//   A = min(m sum c_i^2 + I (the same of angles), m (3 m/s)^2),     m of all of the part, I about its centre of mass,
 //
-// is twice that of all joints in all bodies at once. If G exceeds T* + m (3 m/s)^2 + A and what motors, springs and rebounds put
-// in, a share of the corrections is solved again: velocities are linear in c while contacts hold, so half the root of the ratio. Two
-// bodies that a joint draws together from afar never meet this. What rows work past their targets, and what corrections throw, is
-// judged where bounds_corrections (containment.h) says so.
+// is twice that of all joints in all bodies at once, as far as 3 m/s go. A velocity v that changes by d gains m v.d + m d^2/2, which
+// with m d^2 = A is sqrt(2 T* A) + A/2 at most. If G exceeds m (3 m/s)^2 + A + sqrt(2 T* A) and what motors, springs and rebounds put
+// in, a share of the corrections is solved again: velocities are linear in c while contacts hold, so half the root of the ratio. Joints
+// that are open by more than this closes in a step close in several. What rows work past their targets, and what corrections throw,
+// is judged where bounds_corrections (containment.h) says so.
 #pragma once
 
 #include "step/island/problem/assemble.h"
