@@ -95,7 +95,7 @@ class TreeRun {
     bool resolves_swings()
     {
         Arena::Scope scope(arena_);
-        const std::span<const Swing> swings = find_swings(work_, system_.h, arena_);
+        const std::span<const Swing> swings = find_swings(work_, system_.h, kResolvedExactly, arena_);
         if (swings.empty()) return !arena_.failed();
         const auto of_links = arena_.take<Sym3>(int(tree_.links().size()));
         if (arena_.failed()) return false;

@@ -181,6 +181,24 @@ TEST_P(RopePresets, holds_a_thousand_times_the_mass_of_a_link)
     EXPECT_NEAR(length(position(load)), 5.25, 0.01);
 }
 
+// Planks that are wide turn about their hinges far more easily than otherwise: h sqrt(12 T / (m l)) is 2.2 at 1/60 s.
+TEST_P(RopePresets, a_taut_bridge_of_wide_planks_hangs_still)
+{
+    Stage stage(preset());
+    Rope bridge(40);
+    bridge.settings.length = real(12.4), bridge.settings.mass = 600;
+    bridge.settings.width = 2, bridge.settings.radius = real(0.04);
+    ASSERT_EQ(bridge.lay(stage, {-6, 0, 0}, {6, 0, 0}), 40);
+    for (dBodyID plank : bridge.links) dBodySetAutoDisableFlag(plank, 0);
+    double gap = 0, speed = 0;
+    for (int i = 0; i < int(4 / h()); ++i) {
+        stage.step(h());
+        gap = std::fmax(gap, bridge.gap()), speed = std::fmax(speed, bridge.speed());
+    }
+    EXPECT_LT(gap, tol(1e-5, 1e-4));
+    EXPECT_LT(speed, 0.3);  // from a polygon to rest; it fell apart at metres a second
+}
+
 // Forty planks, 500 kg put down on the middle.
 TEST(Rope, a_bridge_of_forty_planks_carries_500_kg_in_the_game_preset)
 {

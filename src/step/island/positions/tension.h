@@ -18,13 +18,14 @@ inline constexpr Real kResolvedExactly = 3, kResolvedBySweeps = 1;
 // the inertia m r^2 that its mass has there, and is no link.
 struct Swing {
     Sym3 S;
+    Sym3 at_arms;  // the same about what is at right angles to the levers
     int loads;
     bool is_link() const { return loads > 1; }
 };
 
 // By body of the island, where the impulses that its joints remember of the last step or substep are a quarter of what would raise an
 // inertia; empty: no body's are, or out of memory.
-std::span<const Swing> find_swings(const IslandWork& work, Real h, Arena& arena);
+std::span<const Swing> find_swings(const IslandWork& work, Real h, Real resolved, Arena& arena);
 
 // Raises the inertia of `bodies`, which are those of the island in its order, where the impulses that its
 // joints remember of the last step or substep of length h are too stiff for it. Returns how many it has raised; marks
