@@ -17,7 +17,7 @@ trap finish EXIT
 fail() { echo "window: $*" >&2; cat out err >&2; exit 1; }
 skip() { echo "window: $*"; exit 77; }
 
-# start_display WIDTH HEIGHT: a server of its own, in DISPLAY. Without -noreset it starts anew each time that its last client
+# start_display WIDTH HEIGHT: a server of its own, in DISPLAY. Without -noreset it starts again each time that its last client
 # leaves, and refuses whoever comes meanwhile: here the program, right after xdotool has asked.
 start_display() {
     command -v Xvfb > /dev/null && command -v xdotool > /dev/null || skip "no Xvfb or xdotool"

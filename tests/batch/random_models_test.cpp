@@ -115,9 +115,12 @@ class RandomTree {
 struct Compared {
     std::vector<double> differences, of_chains;
     int touches = 0, unsolved_in_batches = 0, unsolved_in_worlds = 0;
+    int lessened =
+        0;  // worlds whose corrections near a dead centre throw the robot, so that a share of them is made
     long count() const
     {
-        return long(differences.size() + of_chains.size()) + unsolved_in_batches + unsolved_in_worlds;
+        return long(differences.size() + of_chains.size()) + unsolved_in_batches + unsolved_in_worlds +
+               lessened;
     }
     long beyond(double bound) const
     {
@@ -170,6 +173,7 @@ class RandomModels : public testing::Test {
         report.struct_size = sizeof report;
         dWorldGetStepReport(world, &report);
         to.touches += contacts.count, to.unsolved_in_worlds += report.friction_error > 1e-7;
+        to.lessened += report.fallbacks > 0;
         std::vector<dReal> out(size_t(dRobotGetVelocities(robot, nullptr, 0)));
         dRobotGetVelocities(robot, out.data(), int(out.size()));
         dRobotDestroy(robot), dJointGroupDestroy(group), dSpaceDestroy(space), dWorldDestroy(world);
@@ -201,7 +205,7 @@ class RandomModels : public testing::Test {
         dBatchStep(copies.id, 1);
         for (int i = 0; i < states; ++i) {
             const auto got = copies.read(dBatchVelocities, i, 1);
-            const int unsolved = out.unsolved_in_worlds;
+            const int unsolved = out.unsolved_in_worlds, lessened = out.lessened;
             const auto want = step_of_world(model, q[size_t(i)], control[size_t(i)], mu, out);
             double worst = 0, largest = 0;
             for (size_t k = 0; k < got.size(); ++k) {
@@ -210,7 +214,7 @@ class RandomModels : public testing::Test {
             }
             worst -= 2 * double(kShortStep) * largest * largest;
             // What either says itself to have left unsolved is not compared.
-            if (out.unsolved_in_worlds > unsolved) continue;
+            if (out.unsolved_in_worlds > unsolved || out.lessened > lessened) continue;
             if (!(copies.read(dBatchResidual, i, 1)[0] < 1e-9)) {
                 ++out.unsolved_in_batches;
                 continue;
@@ -236,6 +240,7 @@ TEST_F(RandomModels, step_as_in_worlds_without_friction)
     const Compared its = compared(0);
     EXPECT_GT(its.touches, int(its.differences.size() / 4));
     EXPECT_EQ(its.beyond(1e-9), 0);
+    EXPECT_LE(its.lessened, its.count() / 100);
     for (const double x : its.of_chains) EXPECT_LT(x, 1e-5);
 }
 

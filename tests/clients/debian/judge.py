@@ -49,7 +49,7 @@ def check_symbols(binary, library):
 class Screen:
     """An X server of 800 x 600 without a screen; it tells its number when it is ready.
 
-    Without -noreset it would start anew when its last client leaves, and refuse whoever comes meanwhile.
+    Without -noreset it would start again when its last client leaves, and refuse whoever comes meanwhile.
     """
 
     def __enter__(self):
