@@ -49,6 +49,8 @@ fn main() -> epode::Result<()> {
     let ragdoll = Ragdoll::new(&mut world, [0.0, 0.0, 3.2])?;
     for &(_, id) in &ragdoll.parts {
         world.body_mut(id)?.set_linear_vel([1.5, 0.0, 0.0])?;
+        // Nothing stops a limb of a hard body that rolls about its shoulder; muscles do.
+        world.body_mut(id)?.set_angular_damping(0.05)?;
     }
     let (mut blows, mut hardest) = (0, (0.0, "nothing"));
     for _ in 0..60 * 6 {
