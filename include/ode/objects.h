@@ -199,7 +199,8 @@ ODE_API dReal dWorldGetQuickStepW(dWorldID world);
     [dWorldSetContactMaxCorrectingVel] NaN. Nothing changes then, and getters answer 0. */
 
 /** - dWorldSetContactMaxCorrectingVel: Set the greatest velocity vel, m/s, that a contact may use to undo
-      penetration, and, if finite, to move joints back from beyond stops; default dInfinity. Bouncing is free.
+      penetration, and, if finite, to move joints back from beyond stops; default dInfinity. Bouncing is free. If
+      it is finite, a step that would throw an island by closing joints or contacts makes a share of that.
     - dWorldGetContactMaxCorrectingVel: The greatest velocity that a contact may use to undo penetration,
       m/s; dInfinity at first. [0.16] */
 ODE_API void dWorldSetContactMaxCorrectingVel(dWorldID world, dReal vel);

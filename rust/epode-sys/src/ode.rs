@@ -3705,7 +3705,8 @@ extern "C" {
     /// The factor of over-relaxation of dWorldQuickStep, 1.3 at first.
     pub fn dWorldGetQuickStepW(world: dWorldID) -> dReal;
     /// Set the greatest velocity vel, m/s, that a contact may use to undo
-    /// penetration, and, if finite, to move joints back from beyond stops; default dInfinity. Bouncing is free.
+    /// penetration, and, if finite, to move joints back from beyond stops; default dInfinity. Bouncing is free. If
+    /// it is finite, a step that would throw an island by closing joints or contacts makes a share of that.
     pub fn dWorldSetContactMaxCorrectingVel(world: dWorldID, vel: dReal);
     /// The greatest velocity that a contact may use to undo penetration,
     /// m/s; dInfinity at first.

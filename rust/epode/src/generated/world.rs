@@ -594,7 +594,8 @@ impl World {
     }
 
     /// Set the greatest velocity vel, m/s, that a contact may use to undo
-    /// penetration, and, if finite, to move joints back from beyond stops; default dInfinity. Bouncing is free.
+    /// penetration, and, if finite, to move joints back from beyond stops; default dInfinity. Bouncing is free. If
+    /// it is finite, a step that would throw an island by closing joints or contacts makes a share of that.
     ///
     /// C: `dWorldSetContactMaxCorrectingVel`.
     pub fn set_contact_max_correcting_vel(&mut self, vel: Real) -> Result<()> {
