@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Stops near half a turn and beyond it. What turned is summed from rates, so that a wrapped angle cannot hide.
+// Stops near half a turn and beyond it. What turned is summed from step to step, so that a wrapped angle cannot hide.
 #include "measure.h"
 
 #include <algorithm>
@@ -17,10 +17,17 @@ dBodyID arm(Stage& stage) { return stage.bar({0.5, 0.05, 0.05}, 0.2, {0.25, 0, 0
 struct Turning {
     Stage& stage;
     dBodyID body;
-    Vec axis = kZ;  // in the world at first; of the body where it turns with it
     double turned = 0;
-    double rate() const { return dot(spin(body), axis); }
-    void step() { stage.step(), turned += rate() * stage.h; }
+    double rate() const { return spin(body).z; }
+    // About z; corrections of poses have no rates.
+    void step()
+    {
+        dQuaternion before, turn;
+        std::copy_n(dBodyGetQuaternion(body), 4, before);
+        stage.step();
+        dQMultiply2(turn, dBodyGetQuaternion(body), before);
+        turned += std::remainder(2 * std::atan2(turn[3], turn[0]), 2 * M_PI);
+    }
 };
 
 void judge(Run& run, const Turning& arm, double stop, bool settled)
