@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// stepper_soak [--seconds N] [--seed S] [--worlds N] [--steps N]
+// stepper_soak [--seconds N] [--seed S] [--worlds N] [--steps N] [--preset game|robot] [--size H]
 // One world after the other, each for some ten thousand steps, of which each is by another stepper, of another size, and between
-// which settings, bodies and joints change. The first thing that is wrong ends it.
+// which settings, bodies and joints change; or all steps are those of a preset, of one size. The first thing that is wrong ends it.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -16,7 +16,14 @@ namespace {
 struct Soak {
     long seconds = 3600, worlds = 1000000, steps = 20000;
     std::uint64_t seed = 1;
+    epode::soak::Habit habit;
 };
+
+void read_preset(const std::string& name, epode::soak::Habit& habit)
+{
+    habit.has_preset = true;
+    habit.preset = name == "robot" ? dDefaultsRobot : dDefaultsGame;
+}
 
 Soak read(int count, char** words)
 {
@@ -27,6 +34,8 @@ Soak read(int count, char** words)
         if (word == "--worlds") its.worlds = std::atol(words[i + 1]);
         if (word == "--steps") its.steps = std::atol(words[i + 1]);
         if (word == "--seed") its.seed = std::strtoull(words[i + 1], nullptr, 10);
+        if (word == "--preset") read_preset(words[i + 1], its.habit);
+        if (word == "--size") its.habit.size = std::atof(words[i + 1]);
     }
     return its;
 }
@@ -34,7 +43,7 @@ Soak read(int count, char** words)
 // False: something is wrong.
 bool live(std::uint64_t seed, const Soak& soak, std::time_t end)
 {
-    epode::soak::SoakedWorld world(seed);
+    epode::soak::SoakedWorld world(seed, soak.habit);
     std::string wrong;
     for (long i = 0; i < soak.steps && wrong.empty() && std::time(nullptr) < end; ++i) {
         if (i % 25 == 0) world.change();

@@ -35,17 +35,21 @@ int SoakedWorld::Step::operator()(dWorldID world) const
     }
 }
 
-SoakedWorld::SoakedWorld(std::uint64_t seed)
-    : random_(seed),
+SoakedWorld::SoakedWorld(std::uint64_t seed, const Habit& habit)
+    : habit_(habit),
+      random_(seed),
       world_(dWorldCreate()),
       space_(dHashSpaceCreate(nullptr)),
       mesh_(dGeomTriMeshDataCreate()),
       field_(dGeomHeightfieldDataCreate())
 {
     dWorldSetGravity(world_, 0, 0, dReal(-9.81));
-    dWorldSetStepReportMode(world_, 1);
     dWorldSetContactSpace(world_, space_);
-    dWorldSetContactMaxCorrectingVel(world_, 1);  // what is dropped into others leaves them slowly
+    if (habit.has_preset)
+        dWorldUseDefaults(world_, habit.preset);
+    else
+        dWorldSetContactMaxCorrectingVel(world_, 1);  // what is dropped into others leaves them slowly
+    dWorldSetStepReportMode(world_, 1);
     make_ground();
     for (int i = 0; i < kMostBodies / 2; ++i) drop();
 }
@@ -167,7 +171,7 @@ void SoakedWorld::change()
         case 1:
             return drop();
         case 2:
-            return tune();
+            return habit_.has_preset ? drop() : tune();
         default:
             return dBodyDisable(bodies_[std::size_t(below(int(bodies_.size())))]);
     }
@@ -244,10 +248,16 @@ std::string SoakedWorld::judge(const Step& step)
     return report.contained_islands ? "an island was contained" : "";
 }
 
+SoakedWorld::Step SoakedWorld::next_step()
+{
+    if (habit_.has_preset) return {1, dReal(habit_.size), 1};
+    static constexpr double kSizes[] = {0.002, 0.005, 0.01, 1.0 / 60};
+    return {below(4), dReal(kSizes[below(4)]), 1 + below(8)};
+}
+
 std::string SoakedWorld::step()
 {
-    static constexpr double kSizes[] = {0.002, 0.005, 0.01, 1.0 / 60};
-    const Step step{below(4), dReal(kSizes[below(4)]), 1 + below(8)};
+    const Step step = next_step();
     ++steps, ++by_stepper[step.stepper];
     switch (below(16)) {
         case 0:

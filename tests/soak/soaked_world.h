@@ -17,9 +17,17 @@ namespace epode::soak {
 
 using Bytes = std::vector<unsigned char>;
 
+// Each step by another stepper and of another size, in ODE's defaults with settings that change; or as a preset is meant: by
+// dWorldStepHybrid, each of this size.
+struct Habit {
+    bool has_preset = false;
+    int preset = dDefaultsOde;
+    double size = 1.0 / 60;
+};
+
 class SoakedWorld {
   public:
-    explicit SoakedWorld(std::uint64_t seed);
+    explicit SoakedWorld(std::uint64_t seed, const Habit& habit = {});
     ~SoakedWorld();
     SoakedWorld(const SoakedWorld&) = delete;
     SoakedWorld& operator=(const SoakedWorld&) = delete;
@@ -40,6 +48,7 @@ class SoakedWorld {
         int substeps;
         int operator()(dWorldID world) const;
     };
+    Step next_step();
     int below(int n) { return int(random_() % std::uint64_t(n)); }
     double between(double low, double high)
     {
@@ -55,6 +64,7 @@ class SoakedWorld {
     std::string follow_copy(const Step& step, const Bytes& before);
     std::string judge(const Step& step);
 
+    const Habit habit_;
     std::mt19937_64 random_;
     dWorldID world_;
     dSpaceID space_;
