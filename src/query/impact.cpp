@@ -178,6 +178,21 @@ class SweptPath {
     int pieces_;
 };
 
+// Depths of single triangles say nothing of the way out of a surface, and on any way there are others that it has not touched: contacts
+// alone push out what begins this deep.
+bool begins_deep(const Traveller& a, const TriangleSet& set, const Mover& surface, Real allowed,
+                 Effort& effort)
+{
+    const ConvexView view = a.at(0);
+    const Vec3 middle = surface.shape.pose.to_local(a.middle_at(0));
+    bool deep = false;
+    set.query(grown(Aabb{middle, middle}, a.reach), effort, [&](const Triangle& t, int) {
+        if (deep || !effort.spend(Effort::kDistance)) return;
+        deep = distance_of(view, traveller(t, surface.shape.pose, {}).at(0), 0).distance < -allowed;
+    });
+    return deep;
+}
+
 // `one_sided`: a traveller that comes from behind a triangle passes.
 Real meet_surface(const Traveller& a, const Mover& surface, bool one_sided, const ImpactRule& rule,
                   Real max_time, Effort& effort)
@@ -189,6 +204,7 @@ Real meet_surface(const Traveller& a, const Mover& surface, bool one_sided, cons
     // A traveller that crosses this much of an endless field is not stopped.
     if (set.endless() && way.length_of_way() > kEndless * a.reach) return best;
     const Pose& pose = surface.shape.pose;
+    if (rule.held && begins_deep(a, set, surface, rule.allowed, effort)) return best;
     for (int i = 0; i < way.pieces() && way.begin(i) < std::min(best, max_time); ++i) {
         if (!effort.spend(1)) break;
         set.query(way.box(i), effort, [&](const Triangle& t, int) {
