@@ -200,7 +200,7 @@ void meet(const Surface& a, const Pose& P, Other& b, ContactSink& sink)
         const PlacedCorners corners = placed_corners(a.mesh, t, P);
         const Aabb box = box_of(corners.v);
         if (!overlap(box, b.box())) return true;
-        const PlacedFacet fa = placed(a.mesh, t, P, corners);
+        PlacedFacet fa = placed(a.mesh, t, P, corners);
         b.each(box, [&](PlacedFacet& fb) {
             TriangleContact contact;
             return !triangle_triangle(fa, fb, tolerance, contact) || contacts.add(contact);
@@ -238,6 +238,7 @@ class TerrainSide {
     // `near`: a box in the terrain's frame.
     TerrainSide(const Terrain& terrain, const Aabb& near) : terrain_(terrain)
     {
+        std::fill(std::begin(kept_), std::end(kept_), -1);
         const Vec3 o = terrain.low_corner(), cell = terrain.cell();
         x_ = samples_under(near.lo.x, near.hi.x, o.x, cell.x, terrain.cells_x(), terrain.endless());
         z_ = samples_under(near.lo.z, near.hi.z, o.z, cell.z, terrain.cells_z(), terrain.endless());
@@ -326,19 +327,19 @@ class TerrainSide {
         bool there[2];
     };
 
-    // Cells of a small window are found once.
+    // Cells near each other are kept at the same time, in a window of any size.
     Cell& cell_at(int i, int j)
     {
-        const int columns = x_.count() - 1, number = (j - z_.from) * columns + i - x_.from;
-        const bool small = columns * (z_.count() - 1) <= kFewCells;
-        Cell& cell = cells_[small ? number : 0];
-        if (small && (known_ >> number & 1)) return cell;
-        known_ |= small ? std::uint64_t(1) << number : 0;
+        const int number = (j - z_.from) * (x_.count() - 1) + i - x_.from;
+        const int place = (i & (kAside - 1)) + kAside * (j & (kAside - 1));
+        Cell& cell = cells_[place];
+        if (kept_[place] == number) return cell;
+        kept_[place] = number;
         const Terrain::BareCell bare = terrain_.bare_cell(i, j);
         cell.lowest = bare.lowest, cell.highest = bare.highest;
         for (const bool upper : {false, true}) {
             PlacedFacet& f = cell.facets[upper];
-            f = {{}, nullptr, nullptr, &terrain_, {bare.facets[upper], false}, true};
+            f = {{}, nullptr, nullptr, &terrain_, {bare.facets[upper], false}};
             cell.boxes[upper] = box_of(bare.facets[upper].v);
             cell.there[upper] = bare_terrain_facet(bare.facets[upper], f.f);
             f.f.index = 2 * number + (upper ? 1 : 0);
@@ -354,7 +355,7 @@ class TerrainSide {
             MeshFacet pair[2];
             if (!terrain_walls(terrain_, of.place.facet, k, pair)) continue;
             for (int n = 0; n < 2; ++n) {
-                PlacedFacet w{pair[n], nullptr, nullptr, &terrain_, {of.place.facet, true}};
+                PlacedFacet w{pair[n], nullptr, nullptr, &terrain_, {of.place.facet, true}, true};
                 w.f.index = facets + 4 * of.f.index + k + n;
                 if (overlap(box_of(w.f.v), box) && !visit(w)) return false;
             }
@@ -367,10 +368,10 @@ class TerrainSide {
     Aabb box_{{kInf, kInf, kInf}, {-kInf, -kInf, -kInf}};
     Real lowest_ = kInf;
     bool holes_ = false;
-    static constexpr int kFewCells = 12;  // few, since a program's thread may have a stack of 64 KiB
-    std::uint64_t known_ = 0;
+    static constexpr int kAside = 4;  // few, since a program's thread may have a stack of 64 KiB
+    int kept_[kAside * kAside];       // the number of the cell in each place
     union {
-        Cell cells_[kFewCells];  // in a union: left unwritten until found
+        Cell cells_[kAside * kAside];  // in a union: left unwritten until found
     };
 };
 

@@ -25,6 +25,7 @@ struct TrianglePart {
 
 // The prism of a triangle about a direction, of a facet about its normal: what is in it has out . x <= limit.
 struct Prism {
+    Prism() = default;
     Prism(const Triangle& triangle, Vec3 direction);
     explicit Prism(const MeshFacet& facet);
     Vec3 out[3];  // unit, or zero for an edge without length

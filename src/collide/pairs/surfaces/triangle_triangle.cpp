@@ -77,11 +77,16 @@ class Crossing {
 
     void meet(TriangleContact& out)
     {
-        offer_face(a_, b_, 1, 1), offer_face(b_, a_, -1, 1);
-        if (!b_.one_sided()) offer_face(a_, b_, 1, -1);
-        if (!a_.one_sided()) offer_face(b_, a_, -1, -1);
+        for (int k = 0; k < 3; ++k)
+            a_over_b_part_.add(a_.f.v[k], false), b_over_a_part_.add(b_.f.v[k], false);
+        cut_to_prism(a_over_b_part_, b_.prism, true, slack_);
+        cut_to_prism(b_over_a_part_, a_.prism, true, slack_);
+        offer_face(a_, b_, a_over_b_part_, 1, 1), offer_face(b_, a_, b_over_a_part_, -1, 1);
+        if (!b_.one_sided()) offer_face(a_, b_, a_over_b_part_, 1, -1);
+        if (!a_.one_sided()) offer_face(b_, a_, b_over_a_part_, -1, -1);
         for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) offer_edges(i, j);
+            for (int j = 0; j < 3; ++j)
+                if (may_crest(a_.f, i) && may_crest(b_.f, j)) offer_edges(i, j);
         out.allowed = weighed_ < kInf && fringe_ >= Real(0.5) * depth_;
         out.normal = out.allowed ? normal_ : blocked_normal_;
         out.depth = out.allowed ? depth_ : blocked_;
@@ -92,15 +97,12 @@ class Crossing {
     }
 
   private:
-    // The part of `t` over `face`, and how deep it is on the side that is wrong when `side` is right.
+    // How deep the part of a triangle over `face` is on the side that is wrong when `side` is right.
     struct Sunk {
-        TrianglePart part;
         Real depth = 0;
         int at = 0;  // the deepest corner
-        Sunk(const MeshFacet& t, const MeshFacet& face, Real side, Real slack)
+        Sunk(const TrianglePart& part, const MeshFacet& face, Real side)
         {
-            for (const Vec3 v : t.v) part.add(v, false);
-            cut_to_prism(part, Prism(face), true, slack);
             Real deepest = -kInf;
             for (int i = 0; i < part.count; ++i) {
                 const Real d = -side * face.height(part.points[i]);
@@ -109,6 +111,12 @@ class Crossing {
             depth = deepest > 0 ? deepest : 0;
         }
     };
+
+    // What crest_at_edge() needs of an edge, whatever the direction.
+    static bool may_crest(const MeshFacet& f, int edge)
+    {
+        return f.rim[edge] == Rim::kBorder || f.rim[edge] == Rim::kConvex;
+    }
 
     // Does the mesh of `p` end along n at the point of its facet? On an edge it must fall behind the edge, at
     // a corner all around; within the facet, the point is where the other mesh ends.
@@ -141,20 +149,21 @@ class Crossing {
         return shows.corners == 2 && shows.at == edge;
     }
 
-    // `t` moved to the front (side 1) or back of `face`; `sense`: 1 if t is a's, the normal points into a.
-    void offer_face(const PlacedFacet& t, const PlacedFacet& face, Real sense, Real side)
+    // `t` moved to the front (side 1) or back of `face`, over which it has `part`; `sense`: 1 if t is a's, the normal
+    // points into a.
+    void offer_face(const PlacedFacet& t, const PlacedFacet& face, const TrianglePart& part, Real sense,
+                    Real side)
     {
-        const Sunk sunk(t.f, face.f, side, slack_);
-        if (sunk.part.count == 0) return;
+        if (part.count == 0) return;
+        const Sunk sunk(part, face.f, side);
         const Vec3 outward = side * face.f.n;
-        if (side > 0 && sunk.depth < weighed_ && ends(t, sunk.part.points[sunk.at], -outward)) {
+        if (side > 0 && sunk.depth < weighed_ && ends(t, part.points[sunk.at], -outward)) {
             weighed_ = sunk.depth, normal_ = sense * outward, depth_ = sunk.depth;
-            sunken_ = &t, face_ = &face;
+            sunken_ = &part, face_ = &face;
             return;
         }
         if (sunk.depth < blocked_) blocked_ = sunk.depth, blocked_normal_ = sense * outward;
-        if (side > 0 && sunk.depth < fringe_ && !flat_at(t.f, sunk.part.points[sunk.at]))
-            fringe_ = sunk.depth;
+        if (side > 0 && sunk.depth < fringe_ && !flat_at(t.f, part.points[sunk.at])) fringe_ = sunk.depth;
     }
 
     // Is the point on an edge or at a corner where the surface is flat?
@@ -187,11 +196,10 @@ class Crossing {
 
     void collect(TriangleContact& out) const
     {
-        const Sunk sunk(sunken_->f, face_->f, 1, slack_);
-        for (int i = 0; i < sunk.part.count; ++i) {
-            const Vec3 p = sunk.part.points[i];
+        for (int i = 0; i < sunken_->count; ++i) {
+            const Vec3 p = sunken_->points[i];
             const Real depth = -face_->f.height(p);
-            if (!sunk.part.seam[i] && depth >= -touch_) out.add(p, depth > 0 ? depth : 0);
+            if (!sunken_->seam[i] && depth >= -touch_) out.add(p, depth > 0 ? depth : 0);
         }
     }
 
@@ -202,7 +210,8 @@ class Crossing {
     Vec3 middle_;  // of the stretch that the two share
     Real weighed_ = kInf, depth_ = 0, blocked_ = kInf, fringe_ = kInf;
     Vec3 normal_, blocked_normal_;
-    const PlacedFacet* sunken_ = nullptr;
+    TrianglePart a_over_b_part_, b_over_a_part_;  // what each has over the other
+    const TrianglePart* sunken_ = nullptr;
     const PlacedFacet* face_ = nullptr;  // null: an edge against an edge
 };
 
@@ -216,14 +225,23 @@ PlacedCorners placed_corners(const TriangleMesh& mesh, int triangle, const Pose&
 
 PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose, const PlacedCorners& corners)
 {
-    PlacedFacet p{facet_of(mesh, triangle), &mesh, &pose};
-    for (int k = 0; k < 3; ++k) {
-        p.f.v[k] = corners.v[k];
-        p.f.beyond[k] = pose.R * mesh.beyond(triangle, k);
-    }
-    p.f.n = pose.R * p.f.n;
+    PlacedFacet p{{}, &mesh, &pose};
+    for (int k = 0; k < 3; ++k) p.f.v[k] = corners.v[k];
+    p.f.n = pose.R * mesh.normal(triangle);
     p.f.c = dot(p.f.n, p.f.v[0]);
+    p.f.index = triangle;
     return p;
+}
+
+void finish(PlacedFacet& p)
+{
+    if (!p.has_rims && p.terrain) find_terrain_rims(*p.terrain, p.place, p.f);
+    if (!p.has_rims && p.mesh) {
+        static_cast<MeshRims&>(p.f) = rims_of(*p.mesh, p.f.index, nullptr);
+        for (int k = 0; k < 3; ++k) p.f.beyond[k] = p.pose->R * p.mesh->beyond(p.f.index, k);
+    }
+    if (!p.has_prism) p.prism = Prism(p.f);
+    p.has_rims = p.has_prism = true;
 }
 
 Real TriangleContact::overlap_along(Vec3 n) const
@@ -234,11 +252,11 @@ Real TriangleContact::overlap_along(Vec3 n) const
     return top - low;
 }
 
-bool triangle_triangle(const PlacedFacet& a, PlacedFacet& b, Tolerance tolerance, TriangleContact& out)
+bool triangle_triangle(PlacedFacet& a, PlacedFacet& b, Tolerance tolerance, TriangleContact& out)
 {
     Crossing crossing(a, b, tolerance);
     if (!crossing.crosses()) return false;
-    if (b.bare) find_terrain_rims(*b.terrain, b.place, b.f), b.bare = false;
+    finish(a), finish(b);
     out.a = a.f.index, out.b = b.f.index;
     for (int k = 0; k < 3; ++k) out.corners_a[k] = a.f.v[k], out.corners_b[k] = b.f.v[k];
     crossing.meet(out);

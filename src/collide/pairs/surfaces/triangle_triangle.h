@@ -10,24 +10,30 @@
 #pragma once
 
 #include "collide/pairs/surfaces/terrain_facet.h"
+#include "collide/pairs/surfaces/triangle_part.h"
 
 namespace epode {
 
 // A facet in the frame of the contacts, and the source of its corners: its mesh, which has another frame, or
-// the terrain, which has this frame and no contacts at its back.
+// the terrain, which has this frame and no contacts at its back. Few facets cross another, so what is more than
+// corners and plane is found for these alone, by finish().
 struct PlacedFacet {
     MeshFacet f;
     const TriangleMesh* mesh;
     const Pose* pose;  // of the mesh
     const Terrain* terrain = nullptr;
-    TerrainPlace place{};  // in the terrain
-    bool bare = false;     // its rims have not been looked for
+    TerrainPlace place{};    // in the terrain
+    bool has_rims = false;   // else they are not known yet
+    bool has_prism = false;  // the same
+    Prism prism{};
     bool one_sided() const { return terrain != nullptr; }
 };
+void finish(PlacedFacet& facet);
 struct PlacedCorners {
     Vec3 v[3];
 };
 PlacedCorners placed_corners(const TriangleMesh& mesh, int triangle, const Pose& pose);
+// Corners and plane.
 PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose, const PlacedCorners& corners);
 
 // The contact of one pair of triangles: moving a by depth * normal separates the two.
@@ -53,8 +59,7 @@ struct Tolerance {
     Real touch;  // a smaller distance counts as touching: contacts of resting meshes must persist
 };
 
-// False when the two do not cross. A facet of the terrain as b may be bare (terrain_facet.h): its rims are
-// computed when they are needed.
-bool triangle_triangle(const PlacedFacet& a, PlacedFacet& b, Tolerance tolerance, TriangleContact& out);
+// False when the two do not cross; finishes them when they do.
+bool triangle_triangle(PlacedFacet& a, PlacedFacet& b, Tolerance tolerance, TriangleContact& out);
 
 }  // namespace epode
