@@ -6,6 +6,13 @@
 
 namespace epode {
 
+namespace {
+
+// Marks of what is left: a face that looks down, one at a seam, an end of a seam.
+constexpr unsigned char kDown = 1, kAtSeam = 2, kSeamEnd = 1;
+
+}  // namespace
+
 PlacedHull::PlacedHull(const ConvexView& view) : view_(view)
 {
     if (view.kind != SolidKind::kPolyhedron) return;
@@ -14,30 +21,92 @@ PlacedHull::PlacedHull(const ConvexView& view) : view_(view)
     face_groups_ = (int(solid.faces().size()) + 3) / 4;
     const int numbers = 28 * (corner_groups_ + face_groups_), marks = 4 * (corner_groups_ + face_groups_);
     const bool few = numbers <= kNumbers && marks <= kMarks;
-    if (!few && (!many_.resize(numbers) || !many_marks_.resize(marks))) return;
+    if (!few && (!many_.resize(numbers) || !many_marks_.resize(marks) || !many_groups_.resize(marks))) return;
     numbers_ = few ? few_ : many_.data(), marks_ = few ? few_marks_ : many_marks_.data();
+    groups_ = few ? few_groups_ : many_groups_.data();
     faces_ = numbers_ + 12 * corner_groups_, scratch_ = faces_ + 16 * face_groups_;
     solid_ = &solid, seam_count_ = int(solid.seams().size());
 }
 
-void PlacedHull::drop_seams_above(Real y)
+// The normals that lean less than a right angle away from one that is so steep.
+void PlacedHull::mark_faces_down(Real sine)
+{
+    for (int g = 0; g < face_groups_; ++g)
+        store_bytes(face_marks() + 4 * g, byte_each(bits(load_quad(faces(g) + 4) <= quad(sine))));
+}
+
+void PlacedHull::keep_seams(Real y)
+{
+    unsigned char *const ends = corner_marks(), *const left = face_marks();
+    seam_count_ = 0;
+    for (const PolyhedronEdge& seam : solid_->seams()) {
+        if (!((left[seam.left] | left[seam.right]) & kDown)) continue;
+        if (!(corner(seam.from).y <= y || corner(seam.to).y <= y)) continue;
+        kept_[seam_count_++] = seam;
+        ends[seam.from] = ends[seam.to] = kSeamEnd;
+        left[seam.left] |= kAtSeam, left[seam.right] |= kAtSeam;
+    }
+}
+
+void PlacedHull::keep_corners()
+{
+    kept_corner_groups_ = 0;
+    for (int g = 0; g < corner_groups_; ++g) {
+        std::uint32_t four;
+        std::memcpy(&four, corner_marks() + 4 * g, 4);
+        groups_[kept_corner_groups_] = g;
+        kept_corner_groups_ += four != 0;
+    }
+}
+
+void PlacedHull::move_face(int from, Real* to, int at)
+{
+    const Real* const source = faces(from / 4) + from % 4;
+    Real* const target = to + 16 * (at / 4) + at % 4;
+    for (const int k : {0, 4, 8, 12}) target[k] = source[k];
+}
+
+// In their order. The others wait in the scratch, where there is room for all: F <= 2 V.
+void PlacedHull::keep_faces_first()
+{
+    const unsigned char* const left = face_marks();
+    int* const numbers = groups_ + corner_groups_;
+    const int all = int(solid_->faces().size());
+    int first = 0, others = 0;
+    for (int i = 0; i < all; ++i)
+        if (left[i])
+            move_face(i, faces_, numbers[i] = first++);
+        else
+            move_face(i, scratch_, others++);
+    for (int i = 0; i < others; ++i) {
+        const Real* const source = scratch_ + 16 * (i / 4) + i % 4;
+        Real* const target = faces_ + 16 * ((first + i) / 4) + (first + i) % 4;
+        for (const int k : {0, 4, 8, 12}) target[k] = source[k];
+    }
+    for (int i = 0; i < seam_count_; ++i)
+        kept_[i].left = numbers[kept_[i].left], kept_[i].right = numbers[kept_[i].right];
+    kept_face_groups_ = (first + 3) / 4;
+}
+
+void PlacedHull::keep_for_ground(Real y, Real sine)
 {
     place();
-    const std::span<const PolyhedronEdge> seams = solid_->seams();
-    const int all = int(seams.size());
+    const int all = int(solid_->seams().size());
     if (all > kSeams && !many_kept_.resize(all)) return;
     kept_ = all > kSeams ? many_kept_.data() : few_kept_;
-    seam_count_ = 0;
-    for (int i = 0; i < all; ++i) {
-        kept_[seam_count_] = i;
-        const PolyhedronEdge& seam = seams[std::size_t(i)];
-        seam_count_ += corner(seam.from).y <= y || corner(seam.to).y <= y;
-    }
+    std::memset(corner_marks(), 0, std::size_t(4 * corner_groups_));
+    mark_faces_down(sine);
+    keep_seams(y);
+    keep_corners();
+    keep_faces_first();
+    std::memset(face_marks(), 0, std::size_t(4 * face_groups_));
 }
 
 void PlacedHull::find()
 {
     placed_ = true;
+    kept_corner_groups_ = corner_groups_, kept_face_groups_ = face_groups_;
+    for (int g = 0; g < corner_groups_; ++g) groups_[g] = g;
     const Mat3& R = view_.pose.R;
     const Vec3 p = view_.pose.p;
     const QuadPlane rows[3] = {QuadPlane(R.row0), QuadPlane(R.row1), QuadPlane(R.row2)};

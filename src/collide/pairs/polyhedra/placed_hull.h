@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <span>
 
 #include "geometry/hulls/polyhedron.h"
 #include "simd/quad.h"
@@ -28,13 +29,16 @@ class PlacedHull {
         if (!placed_) find();
     }
 
-    // From here on the seams are those that have an end no higher (along y).
-    void drop_seams_above(Real y);
+    // Leaves out what a ground cannot touch that is nowhere higher than y and steeper than a sine: seams that have
+    // no end so low (along y), or no face that looks down at such a ground, and corners and faces at none. Faces
+    // that are left come before the others, and have other numbers than in the polyhedron.
+    void keep_for_ground(Real y, Real sine);
 
     int seams() const { return seam_count_; }
-    const PolyhedronEdge& seam(int i) const { return solid_->seams()[std::size_t(kept_ ? kept_[i] : i)]; }
-    int corner_groups() const { return corner_groups_; }
-    int face_groups() const { return face_groups_; }
+    const PolyhedronEdge& seam(int i) const { return kept_ ? kept_[i] : solid_->seams()[std::size_t(i)]; }
+    std::span<const int> corner_groups() const { return {groups_, std::size_t(kept_corner_groups_)}; }
+    int face_groups() const { return kept_face_groups_; }
+    int all_face_groups() const { return face_groups_; }
     const Real* corners(int group) const { return numbers_ + 12 * group; }  // x y z of four
     const Real* faces(int group) const { return faces_ + 16 * group; }      // unit outward normals, offsets
     Vec3 corner(int i) const { return at(corners(i / 4) + i % 4); }
@@ -51,6 +55,11 @@ class PlacedHull {
     static constexpr int kNumbers = 2048, kMarks = 512, kSeams = 256;  // more need memory
     static Vec3 at(const Real* p) { return {p[0], p[4], p[8]}; }
     void find();
+    void mark_faces_down(Real sine);
+    void keep_seams(Real y);
+    void keep_corners();
+    void keep_faces_first();
+    void move_face(int from, Real* to, int at);
 
     const ConvexView& view_;
     const Polyhedron* solid_ = nullptr;
@@ -58,7 +67,9 @@ class PlacedHull {
     bool placed_ = false;
     Real *numbers_ = nullptr, *faces_ = nullptr, *scratch_ = nullptr;
     unsigned char* marks_ = nullptr;
-    int* kept_ = nullptr;  // null: all
+    PolyhedronEdge* kept_ = nullptr;  // null: all
+    int* groups_ = nullptr;           // of corners; then numbers of faces
+    int kept_corner_groups_ = 0, kept_face_groups_ = 0;
     union {
         Real few_[kNumbers];  // in unions: left unwritten until placed
     };
@@ -66,11 +77,15 @@ class PlacedHull {
         unsigned char few_marks_[kMarks];
     };
     union {
-        int few_kept_[kSeams];
+        PolyhedronEdge few_kept_[kSeams];
+    };
+    union {
+        int few_groups_[kMarks];
     };
     Array<Real> many_;
     Array<unsigned char> many_marks_;
-    Array<int> many_kept_;
+    Array<PolyhedronEdge> many_kept_;
+    Array<int> many_groups_;
 };
 
 namespace {

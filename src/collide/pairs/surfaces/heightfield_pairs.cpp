@@ -116,6 +116,22 @@ HeightRange survey(const Samples& samples, const Cells& c)
     return g;
 }
 
+// A bound of how steep the facets are.
+Real steepest_sine(const Terrain& t, const Samples& samples, const Cells& c)
+{
+    Real along_x = 0, along_z = 0;
+    for (int j = c.j0; j <= c.j1 + 1; ++j)
+        for (int i = c.i0; i <= c.i1 + 1; ++i) {
+            const Real y = samples.height(i, j);
+            if (i > c.i0) along_x = std::max(along_x, std::fabs(y - samples.height(i - 1, j)));
+            if (j > c.j0) along_z = std::max(along_z, std::fabs(y - samples.height(i, j - 1)));
+        }
+    const Vec3 cell = t.cell();
+    const Real tangent = length(Vec3{along_x / cell.x, 0, along_z / cell.z});
+    constexpr Real kHair = Real(1e-4);
+    return tangent < 1 / kHair ? tangent / std::sqrt(1 + tangent * tangent) + kHair : Real(1);
+}
+
 // Do all lie in the plane of the facet?
 bool level(const Samples& samples, const Cells& c, const Facet& first, Real slack)
 {
@@ -317,7 +333,7 @@ void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, C
     ContactCollector collector(Real(1e-6) * (solid.size + solid.radius), sink);
     PlacedHull hull(solid);
     TerrainPair pair{terrain, solid, box, slack, collector, nullptr, hull.there() ? &hull : nullptr};
-    if (pair.hull) hull.drop_seams_above(heights.highest + slack);
+    if (pair.hull) hull.keep_for_ground(heights.highest + slack, steepest_sine(terrain, samples, cells));
     Near<Shape> near(a, A, terrain, solid, slack);
     each_facet(pair, cells, samples, near, [&](const Facet& f) { meet_facet(a, A, f, pair); });
     collector.deliver(sink);

@@ -30,8 +30,9 @@ class HullManifoldBuilder {
         place_walls();
         find_shown_faces();
         edges();
-        for (int i = 0; i < 4 * h_.corner_groups(); ++i)
-            if (marks_[i] == (kIn | kLow | kShown)) to_.give(h_.corner(i));
+        for (const int g : h_.corner_groups())
+            for (int i = 4 * g; i < 4 * g + 4; ++i)
+                if (marks_[i] == (kIn | kLow | kShown)) to_.give(h_.corner(i));
         for (int k = 0; k < 3; ++k)
             if (crossed_[k] && crossed_[(k + 2) % 3] && to_.corner_counts(k)) triangle_corner(k);
     }
@@ -43,7 +44,7 @@ class HullManifoldBuilder {
         const QuadPlane n(f_.n);
         const Quad c = quad(f_.c);
         Quad least = quad(kInf);
-        for (int g = 0; g < h_.corner_groups(); ++g) {
+        for (const int g : h_.corner_groups()) {
             const Quad height = n.along(h_.corners(g)) - c;
             store_quad(height_ + 4 * g, height);
             least = smaller(height, least);
@@ -58,7 +59,7 @@ class HullManifoldBuilder {
         const QuadPlane out[3] = {QuadPlane(to_.wall(0)), QuadPlane(to_.wall(1)), QuadPlane(to_.wall(2))};
         const Quad slack = quad(to_.slack());
         Quad farthest[3] = {quad(-kInf), quad(-kInf), quad(-kInf)};
-        for (int g = 0; g < h_.corner_groups(); ++g) {
+        for (const int g : h_.corner_groups()) {
             std::uint32_t marks = byte_each(bits(load_quad(height_ + 4 * g) <= slack)) * kLow;
             for (int k = 0; k < 3; ++k) {
                 const Quad beyond = out[k].along(h_.corners(g)) - quad(to_.wall_limit(k));
@@ -69,11 +70,12 @@ class HullManifoldBuilder {
             store_bytes(marks_ + 4 * g, marks);
         }
         for (int k = 0; k < 3; ++k) crossed_[k] = largest_lane(farthest[k]) > 0;
-        for (int i = 0;; ++i)
-            if (height_[i] <= lowest_) {
-                marks_[i] |= kShown;
-                return;
-            }
+        for (const int g : h_.corner_groups())
+            for (int i = 4 * g; i < 4 * g + 4; ++i)
+                if (height_[i] <= lowest_) {
+                    marks_[i] |= kShown;
+                    return;
+                }
     }
 
     void find_shown_faces()
@@ -124,20 +126,40 @@ class HullManifoldBuilder {
     void triangle_corner(int k)
     {
         const Vec3 v = f_.v[k], up = to_.upright();
+        const Real depth = depth_below(v, up);
+        if (depth >= -to_.slack() && enters_before(v, up, depth) && leaves_by_shown(v, up, depth))
+            to_.give(v - depth * up);
+    }
+
+    // How far down the way leaves the polyhedron, if it is in it; no face that is left out looks down.
+    Real depth_below(Vec3 v, Vec3 up) const
+    {
         const QuadPlane at(v), rise(up);
-        Quad enters = quad(-kInf), leaves = quad(kInf);
-        unsigned aside = 0;
+        Quad leaves = quad(kInf);
         for (int g = 0; g < h_.face_groups(); ++g) {
             const Real* const four = h_.faces(g);
-            const Quad out = at.along(four) - load_quad(four + 12), way = rise.along(four), none = quad(0);
-            const Quad depth = out / usable(way);  // how far down the plane is
-            leaves = smaller(if_less(way, none, depth, quad(kInf)), leaves);
-            enters = larger(if_less(none, way, depth, quad(-kInf)), enters);
-            aside |= bits(none < out) & bits(way <= none) & bits(none <= way);
+            const Quad out = at.along(four) - load_quad(four + 12), way = rise.along(four);
+            leaves = smaller(if_less(way, quad(0), out / usable(way), quad(kInf)), leaves);
         }
-        const Real depth = -largest_lane(quad(0) - leaves);
-        if (aside || !(depth >= -to_.slack()) || depth < largest_lane(enters)) return;
-        if (leaves_by_shown(v, up, depth)) to_.give(v - depth * up);
+        return -largest_lane(quad(0) - leaves);
+    }
+
+    // Whether it enters the polyhedron before that depth.
+    bool enters_before(Vec3 v, Vec3 up, Real depth) const
+    {
+        const QuadPlane at(v), rise(up);
+        const Quad none = quad(0);
+        for (int g = 0; g < h_.all_face_groups(); ++g) {
+            const Real* const four = h_.faces(g);
+            const Quad way = rise.along(four);
+            const unsigned up_or_aside = bits(none <= way);
+            if (!up_or_aside) continue;
+            const Quad out = at.along(four) - load_quad(four + 12);
+            const unsigned later = bits(none < way) & bits(quad(depth) < out / usable(way));
+            const unsigned aside = bits(none < out) & bits(way <= none);
+            if ((later | aside) & up_or_aside) return false;
+        }
+        return true;
     }
 
     bool leaves_by_shown(Vec3 v, Vec3 up, Real depth) const
