@@ -5,6 +5,10 @@
 // that is not enough, as on a surface of needles, the shallowest manifolds are dropped.
 #include "collide/pairs/contact_collector.h"
 
+#include <bit>
+
+#include "simd/quad.h"
+
 namespace epode {
 
 namespace {
@@ -16,23 +20,44 @@ constexpr Real kLikeNormal = Real(0.998);  // cosine of 3.6 degrees
 
 void ContactCollector::add(const ContactPoint& point)
 {
-    for (int k = 0; k < count_; ++k) {
-        ContactPoint& p = points_[k];
-        if (length2(p.position - point.position) > same2_ || dot(p.normal, point.normal) < kSameNormal)
-            continue;
-        const bool deeper = point.depth > p.depth;
-        if (deeper) p.depth = point.depth;
-        p.side1 = sink_.merged(0, p.side1, point.side1, deeper ? point.side1 : p.side1);
-        p.side2 = sink_.merged(1, p.side2, point.side2, deeper ? point.side2 : p.side2);
-        return;
-    }
+    for (int first = 0; first < count_; first += 4)
+        for (unsigned some = at_same_place(first, point.position); some; some &= some - 1) {
+            ContactPoint& p = points_[first + std::countr_zero(some)];
+            if (!(dot(p.normal, point.normal) < kSameNormal)) return merge(p, point);
+        }
     add_apart(point);
+}
+
+// Of four points from `first` on, a bit for each.
+unsigned ContactCollector::at_same_place(int first, Vec3 p) const
+{
+    const Quad x = load_quad(places_[0] + first) - quad(p.x), y = load_quad(places_[1] + first) - quad(p.y),
+               z = load_quad(places_[2] + first) - quad(p.z);
+    return bits(x * x + y * y + z * z <= quad(same2_));
+}
+
+void ContactCollector::merge(ContactPoint& p, const ContactPoint& point) const
+{
+    const bool deeper = point.depth > p.depth;
+    if (deeper) p.depth = point.depth;
+    p.side1 = sink_.merged(0, p.side1, point.side1, deeper ? point.side1 : p.side1);
+    p.side2 = sink_.merged(1, p.side2, point.side2, deeper ? point.side2 : p.side2);
 }
 
 void ContactCollector::add_apart(const ContactPoint& point)
 {
     if (count_ == kCapacity) thin_out();
+    note_place(count_, point.position);
     points_[count_++] = point;
+}
+
+// Places behind the last are far from everything.
+void ContactCollector::note_place(int i, Vec3 p)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        if (i % 4 == 0) store_quad(places_[axis] + i, quad(kInf));
+        places_[axis][i] = p[axis];
+    }
 }
 
 void ContactCollector::sort_out()
@@ -87,6 +112,7 @@ void ContactCollector::thin_out()
         for (int k = 0; k < n; ++k) points_[kept++] = best[k];  // never beyond what has been read
     }
     count_ = kept;
+    for (int k = 0; k < count_; ++k) note_place(k, points_[k].position);
 }
 
 void ContactCollector::deliver(ContactSink& sink)

@@ -34,12 +34,18 @@ class ContactCollector {
     static constexpr int kCapacity = 64;
     static constexpr int kPerManifold = 4;
 
+    unsigned at_same_place(int first, Vec3 p) const;
+    void merge(ContactPoint& into, const ContactPoint& point) const;
+    void note_place(int i, Vec3 p);
     void sort_out();  // by manifold, the deepest manifold first; fills starts_
     int thinned(int manifold, int quota, ContactPoint* out) const;
     void thin_out();
 
     union {
         ContactPoint points_[kCapacity];  // in a union: left unwritten until added
+    };
+    union {
+        Real places_[3][kCapacity];  // of the points, x y z; the same
     };
     int count_ = 0;
     int starts_[kCapacity + 1];
