@@ -161,8 +161,14 @@ class LeastRise {
             return true;
         };
         if (!each_round_axis(*reach_.cylinder(), pose, facet_, offer_round)) return false;
+        return rim_on(ridges_) && (!on_crest || rim_on(7 & ~ridges_));
+    }
+    // As of a polyhedron, the edges behind which nothing falls away matter where there is a crest.
+    bool rim_on(unsigned edges)
+    {
+        const Pose& pose = m_.solid.pose;
         for (int k = 0; k < 3; ++k) {
-            if (reach_.own_is_less(facet_, k, own_, lowest_)) continue;
+            if (!(edges >> k & 1) || reach_.own_is_less(facet_, k, own_, lowest_)) continue;
             RimMinimum found[kMostRimMinima];
             const int count =
                 rim_minima(RimArc(*reach_.cylinder(), pose, facet_, k), kFaceFirst * depth, found);
