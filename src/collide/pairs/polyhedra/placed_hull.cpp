@@ -88,7 +88,7 @@ void PlacedHull::keep_faces_first()
     kept_face_groups_ = (first + 3) / 4;
 }
 
-void PlacedHull::keep_for_ground(Real y, Real sine)
+void PlacedHull::keep_for_field(Real y, Real sine)
 {
     place();
     const int all = int(solid_->seams().size());

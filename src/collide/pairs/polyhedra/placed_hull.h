@@ -29,10 +29,10 @@ class PlacedHull {
         if (!placed_) find();
     }
 
-    // Leaves out what a ground cannot touch that is nowhere higher than y and steeper than a sine: seams that have
-    // no end so low (along y), or no face that looks down at such a ground, and corners and faces at none. Faces
+    // Leaves out what a field cannot touch that is nowhere higher than y and steeper than a sine: seams that have
+    // no end so low (along y), or no face that looks down at such a field, and corners and faces at none. Faces
     // that are left come before the others, and have other numbers than in the polyhedron.
-    void keep_for_ground(Real y, Real sine);
+    void keep_for_field(Real y, Real sine);
 
     int seams() const { return seam_count_; }
     const PolyhedronEdge& seam(int i) const { return kept_ ? kept_[i] : solid_->seams()[std::size_t(i)]; }

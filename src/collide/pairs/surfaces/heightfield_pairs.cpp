@@ -333,7 +333,7 @@ void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, C
     ContactCollector collector(Real(1e-6) * (solid.size + solid.radius), sink);
     PlacedHull hull(solid);
     TerrainPair pair{terrain, solid, box, slack, collector, nullptr, hull.there() ? &hull : nullptr};
-    if (pair.hull) hull.keep_for_ground(heights.highest + slack, steepest_sine(terrain, samples, cells));
+    if (pair.hull) hull.keep_for_field(heights.highest + slack, steepest_sine(terrain, samples, cells));
     Near<Shape> near(a, A, terrain, solid, slack);
     each_facet(pair, cells, samples, near, [&](const Facet& f) { meet_facet(a, A, f, pair); });
     collector.deliver(sink);
