@@ -43,7 +43,7 @@ Separation solid_solid(const QueryShape& a, const QueryShape& b, Real limit)
     const Real apart = kEndless * length(a.pose.p - b.pose.p);
     const BoundingBall ball_a = ball_about(a, apart), ball_b = ball_about(b, apart);
     return separation(solid_view(a, ball_b.centre, ball_b.reach, memory_a),
-                      solid_view(b, ball_a.centre, ball_a.reach, memory_b), limit);
+                      solid_view(b, ball_a.centre, ball_a.reach, memory_b), limit, LastDigits::kByNewton);
 }
 
 Separation solid_plane(const QueryShape& a, const QueryShape& b)

@@ -35,12 +35,12 @@ Separation overlapping(const ConvexView& a, const ConvexView& b)
 
 }  // namespace
 
-Separation separation(const ConvexView& a, const ConvexView& b, Real limit)
+Separation separation(const ConvexView& a, const ConvexView& b, Real limit, LastDigits last)
 {
     const Real radii = a.radius + b.radius;
     // A little more, so that what lies at the limit is not left out by rounding.
     const Real max_distance = limit + radii > 0 ? (1 + 64 * kEpsilon) * (limit + radii) : Real(0);
-    const Distance d = gjk_distance(a, b, max_distance);
+    const Distance d = gjk_distance(a, b, max_distance, 4 * kEpsilon, last);
     const Vec3 n = d.on_a - d.on_b;
     if (!(d.distance > 0)) return overlapping(a, b);
     if (d.distance > max_distance || !(length2(n) > 0)) return {};  // farther, found out early

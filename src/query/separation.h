@@ -12,7 +12,7 @@
 // polytope was, not where its answer has been polished.
 #pragma once
 
-#include "geometry/convex_view.h"
+#include "geometry/overlap/gjk.h"
 
 namespace epode {
 
@@ -32,7 +32,8 @@ struct Separation {
 };
 
 // Of solids that are farther from each other than `limit`, only that.
-Separation separation(const ConvexView& a, const ConvexView& b, Real limit);
+Separation separation(const ConvexView& a, const ConvexView& b, Real limit,
+                      LastDigits last = LastDigits::kBySteps);
 
 // Of a solid and the half-space.
 Separation separation(const ConvexView& a, const Plane& b);

@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <type_traits>
 
+#include "geometry/overlap/rim_distance.h"
 #include "simd/pack_algebra.h"
 
 namespace epode {
@@ -95,16 +96,16 @@ bool encloses(const Simplex& s)
     return true;
 }
 
-// Reduces the simplex to the smallest part that holds its point nearest to the origin.
+// Reduces the simplex to the smallest part that holds its point nearest to the origin. The newest vertex is of it: what
+// the others make has been looked at before.
 void reduce(Simplex& s)
 {
     Part best;
-    for (int i = 0; i < s.count; ++i) consider(s, {i}, {1.0}, best);
-    for (int i = 0; i < s.count; ++i)
-        for (int j = i + 1; j < s.count; ++j) consider_edge(s, i, j, best);
-    for (int i = 0; i < s.count; ++i)
-        for (int j = i + 1; j < s.count; ++j)
-            for (int k = j + 1; k < s.count; ++k) consider_triangle(s, i, j, k, best);
+    const int newest = s.count - 1;
+    consider(s, {newest}, {1.0}, best);
+    for (int i = 0; i < newest; ++i) consider_edge(s, i, newest, best);
+    for (int i = 0; i < newest; ++i)
+        for (int j = i + 1; j < newest; ++j) consider_triangle(s, i, j, newest, best);
     Vertex kept[3];
     for (int i = 0; i < best.count; ++i) kept[i] = s.v[best.index[i]];
     for (int i = 0; i < best.count; ++i) s.v[i] = kept[i], s.weight[i] = best.weight[i];
@@ -117,9 +118,36 @@ Vertex support(const ConvexView& a, const ConvexView& b, Vec3 d)
     return {exact(x) - exact(y), x, y};
 }
 
+// Tries to end the search early, when it has come near, and again when it has come much nearer.
+class RimFinish {
+  public:
+    RimFinish(const ConvexView& a, const ConvexView& b, Real tolerance, LastDigits last)
+        : a_(a),
+          b_(b),
+          tolerance_(tolerance),
+          near_(last == LastDigits::kByNewton && has_rim_distance(a, b) ? kNear : 0)
+    {}
+    // `gap`: by what part of the distance the simplex may be too far.
+    bool ends(const Simplex& s, Point nearest, double gap, Distance& out)
+    {
+        if (!(gap < near_)) return false;
+        near_ = kNearer * gap;
+        NearPoints points[4];
+        for (int i = 0; i < s.count; ++i) points[i] = {s.v[i].on_a, s.v[i].on_b};
+        const Vec3 n = rounded(1 / std::sqrt(norm2(nearest)) * nearest);
+        return rim_distance(a_, b_, n, {points, std::size_t(s.count)}, tolerance_, out);
+    }
+
+  private:
+    static constexpr double kNear = 0.2, kNearer = 0.1;
+    const ConvexView &a_, &b_;
+    const Real tolerance_;
+    double near_;
+};
+
 }  // namespace
 
-Distance gjk_distance(const ConvexView& a, const ConvexView& b, Real limit, Real tolerance)
+Distance gjk_distance(const ConvexView& a, const ConvexView& b, Real limit, Real tolerance, LastDigits last)
 {
     constexpr int kIterations = 64;
     Simplex s;
@@ -128,6 +156,7 @@ Distance gjk_distance(const ConvexView& a, const ConvexView& b, Real limit, Real
     Point nearest = s.v[0].c;
     const Real size = a.size + b.size + length(b.pose.p - a.pose.p);
     Distance out;
+    RimFinish finish(a, b, tolerance, last);
     for (int i = 0; i < kIterations; ++i) {
         const double d2 = norm2(nearest);
         if (!(d2 > 64 * kEpsilon * kEpsilon * size * size)) return out;  // touching
@@ -138,6 +167,7 @@ Distance gjk_distance(const ConvexView& a, const ConvexView& b, Real limit, Real
             return out;
         }
         if (d2 - bound <= tolerance * d2) break;
+        if (finish.ends(s, nearest, (d2 - bound) / d2, out)) return out;
         const Simplex before = s;
         s.v[s.count++] = next;
         if (bound <= 0 && encloses(s)) return out;  // else a plane keeps the origin out
