@@ -15,7 +15,7 @@ bool ClosingRows::begin(const World& world, IslandWork& work, const JointTree& t
 {
     world_ = &world, work_ = &work;
     const int rows = int(work.system.rows.size());
-    flags_ = arena.take_zeroed<bool>(rows), rows_ = {}, closing_ = 0;
+    flags_ = arena.take_zeroed<bool>(rows), rows_ = {}, closing_ = 0, farthest_ = 0;
     if (arena.failed()) return false;
     const int count = mark(tree);
     if (count == 0) return true;
@@ -68,8 +68,19 @@ void ClosingRows::collect()
                            .end = {},
                            .wanted = 0,
                            .p = 0};
+            if (flags_[source]) farthest_ = std::max(farthest_, rows_[to - 1].per_arm * distance_of(block));
         }
     }
+}
+
+// Of its bodies from the origin.
+Real ClosingRows::distance_of(const RowBlock& block) const
+{
+    Real farthest = 0;
+    for (const int body : {block.body1, block.body2})
+        if (body >= 0)
+            farthest = std::max(farthest, length(work_->island.bodies[std::size_t(body)]->position()));
+    return farthest;
 }
 
 void ClosingRows::save_poses(const JointTree& tree)

@@ -24,6 +24,8 @@ class ClosingRows {
     std::span<const bool> flags() const { return flags_; }  // by row of the system
     bool none() const { return closing_ == 0; }
     int size() const { return closing_; }
+    // Of e, relative to levers: a difference of places has no more digits than they have.
+    Real rounding() const { return 4 * kEpsilon * farthest_; }
 
     // After the solution: what e is to be where the step ends.
     void expect();
@@ -55,6 +57,7 @@ class ClosingRows {
     };
     int mark(const JointTree& tree);
     void collect();
+    Real distance_of(const RowBlock& block) const;
     bool is_motor(int source) const;
     bool acts(const Closing& row) const;
     void save_poses(const JointTree& tree);
@@ -70,6 +73,7 @@ class ClosingRows {
     std::span<Closing> rows_;
     std::span<Start> starts_;
     int closing_ = 0;
+    Real farthest_ = 0;  // from the origin, relative to levers
 };
 
 }  // namespace epode

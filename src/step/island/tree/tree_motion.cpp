@@ -82,6 +82,8 @@ bool TreeMotion::find_way()
 
 bool TreeMotion::iterate()
 {
+    // The gaps of loops have no more digits than the places of their anchors.
+    const double enough = closing_->none() ? kEnough : std::max(kEnough, double(closing_->rounding()));
     double last = double(kInf);
     for (int pass = 0; pass < kMaxIterations; ++pass) {
         measure_momenta(solve_->u());
@@ -93,7 +95,7 @@ bool TreeMotion::iterate()
         solve_->add_yield(r_);
         const double now = solve_->correct(r_) * double(work_->system.h);
         const double next = pass == 0 ? now : now * std::min(now / last, 1.0);
-        if (next <= kEnough) break;
+        if (next <= enough) break;
         if (pass > 3 && now > kSlow * last) return false;
         last = now;
     }
