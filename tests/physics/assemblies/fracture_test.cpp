@@ -114,7 +114,7 @@ TEST(Fracture, parts_weigh_what_the_whole_does)
     dBodyGetMass(body, &m);
     EXPECT_NEAR(m.mass, whole.mass, tol(1e-12, 1e-5) * whole.mass);
     for (int k = 0; k < 12; ++k) EXPECT_NEAR(m.I[k], whole.I[k], tol(1e-12, 1e-5) * whole.mass);
-    EXPECT_LT(length(position(body) - V3{1, 2, 3}), tol(1e-14, 1e-6));
+    EXPECT_LT(length(position(body) - V3{1, 2, 3}), tol(1e-14, 4 * kEpsilon * 3.7));  // digits of the place
 }
 
 // Solids of every class, of different densities, on one body that turns and flies.
@@ -181,7 +181,8 @@ TEST(Fracture, breaks_where_the_impulse_passes_the_strength)
             for (int i = 0; i < 20 && !broken; ++i) stage.step(kH), broken = parts.update(stage, share * J);
             EXPECT_EQ(broken, share < 1 ? 1 : 0) << share << " in phase " << phase;
             EXPECT_EQ(parts.bodies().size(), share < 1 ? 9u : 1u);
-            EXPECT_NEAR(velocity(shot).z, -(v - std::fmin(share, 1) * J / m), tol(1e-5, 1e-4));
+            // In floats the default CFM of a contact yields by up to 1/2000.
+            EXPECT_NEAR(velocity(shot).z, -(v - std::fmin(share, 1) * J / m), tol(1e-5, v / 2000));
         }
 }
 
