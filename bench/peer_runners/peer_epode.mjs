@@ -8,7 +8,7 @@ import { driven, play, product, readScene, rotate, versionOf } from './web.mjs';
 
 const scene = readScene();
 const engine = await load();
-const world = engine.createWorld({ gravity: [0, 0, -scene.gravity], autoDisable: false, linearDamping: 0, angularDamping: 0 });
+let world, bodies, rows;
 
 // [kind, sizes] of createGeom.
 function shapeOf({ kind, size: [x, y, z], points, triangles }) {
@@ -59,9 +59,13 @@ function makeJoint({ kind, body1, body2, anchor, axis1, low, high }) {
     }
 }
 
-const bodies = scene.bodies.map(makeBody);
-scene.joints.forEach(makeJoint);
-const moving = bodies.filter((body) => body), rows = world.createStates(moving, ['position', 'quaternion', 'linearVelocity', 'angularVelocity']);
+function begin() {
+    world = engine.createWorld({ gravity: [0, 0, -scene.gravity], autoDisable: false, linearDamping: 0, angularDamping: 0 });
+    bodies = scene.bodies.map(makeBody);
+    scene.joints.forEach(makeJoint);
+    rows = world.createStates(bodies.filter((body) => body), ['position', 'quaternion', 'linearVelocity', 'angularVelocity']);
+    return { step, states, end: () => world.destroy() };
+}
 
 function step(at) {
     scene.bodies.forEach((data, i) => {
@@ -79,4 +83,4 @@ const states = () => {
     return bodies.map((body, i) => body ? Array.from(all.subarray(at, at += 13)) : [...scene.bodies[i].pos, ...scene.bodies[i].turn, 0, 0, 0, 0, 0, 0]);
 };
 
-play(`Epode, WebAssembly (npm epode ${versionOf('epode')})`, step, states);
+play(`Epode, WebAssembly (npm epode ${versionOf('epode')})`, begin);

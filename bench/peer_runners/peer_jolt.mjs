@@ -3,7 +3,7 @@
 //
 // Jolt Physics as WebAssembly under node (npm jolt-physics), one thread, floats, its own parameters but for damping,
 // which is off as in every engine here, and sleeping. WebAssembly has 128-bit lanes at best and no AVX2: native Jolt is
-// quicker. Reads and writes what web.mjs describes. What is made once is not freed: the process ends after one run.
+// quicker. Reads and writes what web.mjs describes. What is made once is not freed: the process ends after two worlds.
 import initJolt from 'jolt-physics';
 import { driven, play, readScene, refuse, versionOf } from './web.mjs';
 
@@ -69,8 +69,7 @@ function makeShape(shape) {
     }
 }
 
-const world = makeWorld();
-const bodies = world.GetPhysicsSystem().GetBodyInterface();
+let world, bodies, made;
 const shapes = scene.shapes.map(makeShape);
 const filter = new Jolt.GroupFilterTable(scene.joints.length ? scene.bodies.length : 1);
 for (const joint of scene.joints) filter.DisableCollision(joint.body1, joint.body2);
@@ -128,9 +127,14 @@ function makeJoint(data, made) {
     return settings.Create(body1, body2);
 }
 
-const made = scene.bodies.map(makeBody);
-for (const joint of scene.joints) world.GetPhysicsSystem().AddConstraint(makeJoint(joint, made));
-world.GetPhysicsSystem().OptimizeBroadPhase();
+function begin() {
+    world = makeWorld();
+    bodies = world.GetPhysicsSystem().GetBodyInterface();
+    made = scene.bodies.map(makeBody);
+    for (const joint of scene.joints) world.GetPhysicsSystem().AddConstraint(makeJoint(joint, made));
+    world.GetPhysicsSystem().OptimizeBroadPhase();
+    return { step, states, end: () => Jolt.destroy(world) };
+}
 
 function drive(at) {
     scene.bodies.forEach((data, i) => {
@@ -152,4 +156,4 @@ function step(at) {
     world.Step(scene.dt, 1);
 }
 
-play(`Jolt, WebAssembly (npm jolt-physics ${versionOf('jolt-physics')})`, step, states);
+play(`Jolt, WebAssembly (npm jolt-physics ${versionOf('jolt-physics')})`, begin);

@@ -12,8 +12,7 @@ const vec = ([x, y, z]) => ({ x, y, z });
 const quat = ([w, x, y, z]) => ({ w, x, y, z });
 const kYToZ = turn([1, 0, 0], Math.PI / 2);
 
-const world = new RAPIER.World({ x: 0, y: 0, z: -scene.gravity });
-world.timestep = scene.dt;
+let world, bodies;
 
 // [shape, turn of it in the part]
 function makeShape({ kind, size: [x, y, z], points, triangles }) {
@@ -58,8 +57,13 @@ function makeJoint(data) {
     world.createImpulseJoint(made, bodies[ends[0]], bodies[ends[1]], true).setContactsEnabled(false);
 }
 
-const bodies = scene.bodies.map(makeBody);
-scene.joints.forEach(makeJoint);
+function begin() {
+    world = new RAPIER.World({ x: 0, y: 0, z: -scene.gravity });
+    world.timestep = scene.dt;
+    bodies = scene.bodies.map(makeBody);
+    scene.joints.forEach(makeJoint);
+    return { step, states, end: () => world.free() };
+}
 
 function step(at) {
     scene.bodies.forEach((data, i) => {
@@ -76,4 +80,4 @@ const states = () => bodies.map((body) => {
     return [p.x, p.y, p.z, q.w, q.x, q.y, q.z, v.x, v.y, v.z, w.x, w.y, w.z];
 });
 
-play(`Rapier, WebAssembly (npm @dimforge/rapier3d-simd-compat ${versionOf('@dimforge/rapier3d-simd-compat')})`, step, states);
+play(`Rapier, WebAssembly (npm @dimforge/rapier3d-simd-compat ${versionOf('@dimforge/rapier3d-simd-compat')})`, begin);
