@@ -34,5 +34,18 @@ html_theme_options = {
     "light_css_variables": {"color-brand-primary": "#1f5f8b", "color-brand-content": "#1f5f8b"},
     "dark_css_variables": {"color-brand-primary": "#7ab8e0", "color-brand-content": "#7ab8e0"},
 }
-pygments_style = "friendly"
+pygments_style = "xcode"  # every colour of it can be read on the theme's grey: 4.5 to 1 and more
 pygments_dark_style = "monokai"
+
+
+def mend_page(app, pagename, templatename, context, doctree):  # pylint: disable=unused-argument
+    """What screen readers and keyboards miss in the theme's pages: the level of the menu's headings, and a way into code that scrolls."""
+    menu = context.get("furo_navigation_tree")
+    if menu:
+        context["furo_navigation_tree"] = menu.replace('role="heading">', 'role="heading" aria-level="2">')
+    if context.get("body"):
+        context["body"] = context["body"].replace("<pre>", '<pre tabindex="0">')
+
+
+def setup(app):
+    app.connect("html-page-context", mend_page, priority=900)  # after the theme's own
