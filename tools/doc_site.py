@@ -4,7 +4,8 @@
 """Puts the sources of the site together in build/site-src, from what is there: the Markdown of docs/, a page for each
 chapter of the reference (from Doxygen's XML in build/site-xml, through breathe), and a gallery of the pictures in
 out/gallery (replays go to build/site-extra). A mark <!-- live: scene=arch&friction=0.5 | What is seen. --> of a page becomes that scene of the
-playground, running, where the playground has been built (wasm/playground/build). Links to files that are no pages (sources, scripts) become plain text, since the site stands alone.
+playground, running, where the playground has been built (wasm/playground/build); with "live in
+its place:" it takes the place of the picture above it. Links to files that are no pages (sources, scripts) become plain text, since the site stands alone.
 
 doc_site.py            writes build/site-src
 doc_site.py --check    every public function of include/ode has its entry in the built pages of build/site"""
@@ -24,7 +25,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 DOCS, SOURCE, XML, SITE = ROOT / "docs", ROOT / "build/site-src", ROOT / "build/site-xml/xml", ROOT / "build/site"
 GALLERY, EXTRA = ROOT / "out/gallery", ROOT / "build/site-extra"
 PLAYGROUND, SCENES = ROOT / "build/wasm/web/index.html", ROOT / "wasm/playground/src/scenes"
-LIVE = re.compile(r"^<!-- live: ([\w&=.-]+) \| (.+) -->$", re.M)
+LIVE = re.compile(r"^(?:(?P<still>!\[[^\]]*\]\([^)\s]+\)\n\n)<!-- live in its place|<!-- live): (?P<link>[\w&=.-]+) \| (?P<words>.+) -->$", re.M)
 # The first page of Doxygen's own manual; here docs/guide and the parts below stand for it.
 LEFT_OUT = ("reference.md",)
 
@@ -53,11 +54,11 @@ def check_live(link, page):
 def with_scenes(text, page):
     """Markdown with its live marks as frames that run the playground's scenes."""
     def frame(match):
-        check_live(match[1], page)
+        check_live(match["link"], page)
         if not PLAYGROUND.exists():
-            return ""
+            return match["still"] or ""
         up = "../" * len(page.relative_to(DOCS).parent.parts)
-        link, words = match[1].replace("&", "&amp;"), html.escape(match[2])
+        link, words = match["link"].replace("&", "&amp;"), html.escape(match["words"])
         return (f'<figure class="live"><iframe loading="lazy" title="{words}" src="{up}playground.html#embed=1&amp;{link}"></iframe>'
                 f'<figcaption>{words} <a href="{up}playground.html#{link}">Whole page</a></figcaption></figure>')
     return LIVE.sub(frame, text)
