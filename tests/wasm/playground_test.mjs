@@ -193,3 +193,13 @@ test('a scene that has ended leaves no memory behind', () => {
     assert.ok(engine.memorySize <= size + 2 ** 20, `${(engine.memorySize - size) / 1024} kB more`);
     assert.equal(engine.objects.size, 0);
 });
+
+test('tops stand on their tips, lean and precess: friction at a tip takes little of the spin', () => with_scene('tops', {}, simulation => {
+    const axis = () => simulation.bodies[0].vectorToWorld([0, 0, 1]), turned = new Set();
+    run(simulation, 5, () => turned.add(Math.floor(2 * Math.atan2(axis()[1], axis()[0]) / Math.PI)));
+    for (const top of simulation.bodies) {
+        const w = top.angularVelocity, [, , up] = top.vectorToWorld([0, 0, 1]);
+        assert.ok(Math.hypot(...w) > 57 && up > 0.9 && up < 0.99, `${Math.hypot(...w)} rad/s, ${up}`);
+    }
+    assert.equal(turned.size, 4, 'the axis has looked into each quarter');
+}));

@@ -17,7 +17,7 @@ export class Kit {
         return body;
     }
 
-    // A further geom of a body.
+    // A further geom of a body. Its offset is from where the centre of mass was before, which each part moves.
     part(body, kind, sizes, {color = this.world.bodies.length % 6, ...options} = {}) {
         return this.colored(body.createGeom(kind, {...sizes, ...without_undefined(options)}), color);
     }

@@ -4,7 +4,7 @@
 // Spinning tops, which precess and in the end fall.
 import {slider} from './slider.mjs';
 
-const kCount = 6;
+const kCount = 6, kHigh = 0.3, kTip = 0.03;  // m: the disc above the middle of the round tip, and its radius
 
 export const tops = {
     title: 'Tops',
@@ -16,10 +16,10 @@ export const tops = {
         const angle = lean * Math.PI / 180, material = {friction};
         kit.floor();
         for (let i = 0; i < kCount; ++i) {
-            const at = [1.3 * (i % 3 - 1), 1.4 * Math.floor(i / 3) - 0.7], axis = [Math.sin(angle), 0, Math.cos(angle)], quaternion = [Math.cos(angle / 2), 0, Math.sin(angle / 2), 0];
-            const top = kit.world.createBody({position: [...at, 0.03], quaternion});
-            kit.part(top, 'cylinder', {radius: 0.34, length: 0.1}, {color: i, density: 1500, offsetPosition: [0, 0, 0.3], material});
-            kit.part(top, 'capsule', {radius: 0.03, length: 0.6}, {color: 6, density: 600, offsetPosition: [0, 0, 0.3], material});
+            const axis = [Math.sin(angle), 0, Math.cos(angle)], quaternion = [Math.cos(angle / 2), 0, Math.sin(angle / 2), 0];
+            const tip = [1.3 * (i % 3 - 1), 1.4 * Math.floor(i / 3) - 0.7, kTip], position = tip.map((x, k) => x + kHigh * axis[k]);
+            const top = kit.solid('cylinder', {radius: 0.34, length: 0.1}, position, {color: i, density: 1500, quaternion, material});
+            kit.part(top, 'capsule', {radius: kTip, length: 2 * kHigh}, {color: 6, density: 600, material});
             top.angularVelocity = axis.map(x => x * spin);
             top.maxAngularSpeed = 1000;
         }
