@@ -9,6 +9,7 @@ import {kMethods} from './simulation.mjs';
 
 const kMethodNames = {hybrid: 'Hybrid: exact where that pays', quick: 'Quick: sweeps', exact: 'Exact', substeps: 'Substeps'};
 const kFigures = 0.25, kPlots = 0.2;  // s between two changes
+const short = value => Number(Number(value).toPrecision(4));
 const element = id => document.getElementById(id);
 
 function made(tag, properties, ...children) {
@@ -51,10 +52,10 @@ export class Panel {
     sliders() {
         const {scene, values} = this.show.simulation;
         return Object.entries(scenes[scene].sliders).map(([name, {label, low, high, step}]) => {
-            const output = made('output', {textContent: values[name]}), input = made('input', {type: 'range', min: low, max: high, step, id: `slider-${name}`});
+            const output = made('output', {textContent: short(values[name])}), input = made('input', {type: 'range', min: low, max: high, step, id: `slider-${name}`});
             input.value = values[name];
             output.htmlFor.add(input.id);
-            input.oninput = () => { output.textContent = input.value; };
+            input.oninput = () => { output.textContent = short(input.value); };
             input.onchange = () => this.set(name, Number(input.value));
             return made('div', {className: 'slider'}, made('label', {htmlFor: input.id, textContent: label}), output, input);
         });
@@ -119,7 +120,7 @@ export class Panel {
             this.last_figures = now;
             this.figures();
         }
-        if (now > this.last_plots + kPlots && this.show.log.times.length > 1) {
+        if (now > this.last_plots + kPlots) {
             this.last_plots = now;
             this.plots();
         }

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // A robot from files: an arm at first, then what the visitor drops on the page. choose() reads it and gives the scene its sliders: one for
-// each actuator, or for each hinge and slider of a robot without actuators.
+// each actuator of MJCF, or for each hinge and slider of a robot of URDF (whose transmissions are torques without a range) or without actuators.
 import {slider} from './slider.mjs';
 
 const kArm = `<mujoco model="arm">
@@ -72,9 +72,15 @@ function model_of(engine) {
 
 const driven_joints = model => model.joints.map((joint, i) => ({...joint, i})).filter(({kind}) => kind === 'hinge' || kind === 'slide');
 
+function is_urdf() {
+    const {files, options} = chosen;
+    return options.path !== undefined && /<robot[\s>]/.test(new TextDecoder().decode(files.get(options.path)));
+}
+const has_controls = model => model.actuators.length > 0 && !is_urdf();
+
 // The mean of the range for a position actuator's control would move the robot at once: controls begin at 0, joints where they are.
 function sliders_of(model) {
-    const rows = model.actuators.length > 0
+    const rows = has_controls(model)
         ? model.actuators.map(({name, low, high}, i) => [`u${i}`, of_range(name || `actuator ${i}`, low, high, 0)])
         : driven_joints(model).map(({name, kind, low, high, position, i}) => {
             const full = kind === 'hinge' ? Math.PI : 1, begin = model.reference[position];
@@ -126,9 +132,9 @@ export const robot = {
     world: {preset: 'robot'},
     rate: 500,
     build(kit, values) {
-        const model = model_of(kit.engine), {world} = kit, own_floor = model.links[0].shapes > 0;
+        const model = model_of(kit.engine), {world} = kit, own_floor = model.links[0].shapes > 0 && !is_urdf();
         world.gravity = model.gravity;
-        const made = model.build(world, own_floor ? {} : {position: place_of(kit, model)}), drive = model.actuators.length > 0 ? null : drive_of(model);
+        const made = model.build(world, own_floor ? {} : {position: place_of(kit, model)}), drive = has_controls(model) ? null : drive_of(model);
         world.geoms.forEach(geom => kit.colored(geom, color_of(geom, made)));
         if (!own_floor) kit.floor();
         const set = {};
@@ -156,8 +162,8 @@ export function choose(engine, files, options = {}) {
         Object.assign(robot, {
             sliders: sliders_of(model), rate: Math.min(kMaxRate, model.stepsize > 0 ? Math.round(1 / model.stepsize) : kRate), view: view_of(low, high),
             title: 'Your robot',
-            about: `${model.links.length - 1} links, ${model.joints.length} joints, ${model.actuators.length} actuators.` +
-                (lines.length > 0 ? ` ${lines.length} lines of the files are read as something near or left out; the first: line ${lines[0].line}, ${lines[0].text}.` : ''),
+            about: `${counted(model.links.length - 1, 'link')}, ${counted(model.joints.length, 'joint')}, ${counted(model.actuators.length, 'actuator')}.` +
+                (lines.length > 0 ? ` Of the files, ${counted(lines.length, 'line')} ${lines.length > 1 ? 'are' : 'is'} read as something near or left out; the first: line ${lines[0].line}, ${lines[0].text}.` : ''),
         });
         return model;
     } catch (error) {
@@ -165,6 +171,8 @@ export function choose(engine, files, options = {}) {
         throw error;
     }
 }
+
+const counted = (count, noun) => `${count} ${noun}${count === 1 ? '' : 's'}`;
 
 function view_of(low, high) {
     const radius = Math.max(0.05, 0.75 * Math.hypot(...high.map((x, k) => x - low[k])));
