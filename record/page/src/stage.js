@@ -39,14 +39,17 @@ function dispose(shown) {
     shown.dispose?.();
 }
 
-// Lines in short pieces: some software renderers lose a line of which one end is behind the camera.
+// Lines in short pieces: some software renderers lose a line of which one end is behind the camera. They fade towards the edge: far away
+// they are closer than pixels, and the edge would be seen.
 function grid_of(half, spacing) {
-    const points = [];
+    const points = [], colors = [];
     for (let i = -half; i <= half; ++i) {
         for (let k = -half; k < half; k += 4) points.push(i, k, 0, i, k + 4, 0, k, i, 0, k + 4, i, 0);
     }
     const geometry = new BufferGeometry();
+    for (let i = 0; i < points.length; i += 3) colors.push(1, 1, 1, Math.max(0, 1 - Math.hypot(points[i], points[i + 1]) / half));
     geometry.setAttribute('position', new BufferAttribute(new Float32Array(points).map(x => spacing * x), 3));
+    geometry.setAttribute('color', new BufferAttribute(new Float32Array(colors), 4));
     return geometry;
 }
 
@@ -160,7 +163,7 @@ export class Stage {
         for (const height of level_floors(this.recording)) {
             const spacing = 10 ** Math.max(0, Math.round(Math.log10(this.radius / 3)));
             const grid = new LineSegments(grid_of(40, spacing), new LineBasicMaterial(
-                {color: 0x000000, transparent: true, opacity: 0.14, depthWrite: false}));
+                {color: 0x000000, vertexColors: true, transparent: true, opacity: 0.14, depthWrite: false}));
             grid.position.z = height + 0.002 * this.radius;
             this.grids.push(grid);
             this.contents.add(grid);
