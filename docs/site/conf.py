@@ -39,12 +39,13 @@ pygments_dark_style = "monokai"
 
 
 def mend_page(app, pagename, templatename, context, doctree):  # pylint: disable=unused-argument
-    """What screen readers and keyboards miss in the theme's pages: the level of the menu's headings, and a way into code that scrolls."""
+    """What screen readers and keyboards miss in the theme's pages: the level of the menu's headings, and a way into code and tables that scroll."""
     menu = context.get("furo_navigation_tree")
     if menu:
         context["furo_navigation_tree"] = menu.replace('role="heading">', 'role="heading" aria-level="2">')
     if context.get("body"):
-        context["body"] = context["body"].replace("<pre>", '<pre tabindex="0">')
+        body = context["body"].replace("<pre>", '<pre tabindex="0">')
+        context["body"] = body.replace('<div class="table-wrapper', '<div tabindex="0" class="table-wrapper')
 
 
 def setup(app):
