@@ -329,3 +329,19 @@ test('what is destroyed gives its memory back', () => {
     assert.equal(engine.memorySize, held);
     assert.equal(engine.objects.size, 0);
 });
+
+test('geoms that are refused leave a sleeping world as it is', () => {
+    const world = engine.createWorld();
+    world.createGeom('plane', {normal: [0, 0, 1]});
+    const ball = world.createBody({position: [0, 0, 0.3]});
+    ball.createGeom('sphere', {radius: 0.3});
+    for (let i = 0; i < 200; ++i) world.step(1 / 60);
+    assert.equal(ball.enabled, false);
+    const before = world.save();
+    for (const call of [
+        () => ball.createGeom('plane', {normal: [0, 0, 1]}), () => ball.createGeom('sphere', {radius: 0.1, density: NaN}),
+        () => ball.createGeom('box', {lengths: [1, 1, 1], material: {friction: -1}}), () => world.createGeom('sphere', {radius: 0.1, material: {friction: NaN}}),
+    ]) assert.throws(call);
+    assert.equal(Buffer.compare(world.save(), before), 0);
+    world.destroy();
+});

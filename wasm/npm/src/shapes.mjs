@@ -51,6 +51,7 @@ import {prepare_structure, put_structure, size_of} from './structures.mjs';
  * @property {string[]} sizes
  * @property {(e: Engine, space: number, s: any, label: string) => Made} make
  * @property {(e: Engine, mass: number, density: number, geom: any) => void} [weigh]
+ * @property {boolean} [in_space] is made in the space that it moves in
  * @property {boolean} [light] has no density unless one is given */
 
 const kUp = 3;  // C's number of the z axis
@@ -101,7 +102,7 @@ export const shapes = {
     },
     heightfield: {of: Heightfield, sizes: ['heights', 'widthSamples', 'depthSamples', 'width', 'depth', 'thickness', 'wrap'], make: make_field},
     character: {
-        of: Character, sizes: ['settings'],
+        of: Character, sizes: ['settings'], in_space: true,
         make: (e, space, s, label) => ({pointer: e.c.dCharacterCreate(
             space, put_structure(e, 'dCharacterSettings', s.settings ?? null, e.buffer(size_of('dCharacterSettings')), label))}),
     },
@@ -164,8 +165,9 @@ export function create_geom(world, body, kind, options) {
     const shape = shapes[kind], own = [...shape.sizes, 'density', 'mass'], name = kind[0].toUpperCase() + kind.slice(1);
     const given = checked_options(options, ['Geom', name], own, label), misplaced = (body ? kPose : kOffset).find(name => name in given);
     if (misplaced) throw new TypeError(`${label}: ${misplaced} is not for a geom ${body ? 'of a body; its place is an offset' : 'without a body'}`);
-    const space = world.space, handle = body?.handle ?? 0;
-    const {pointer, shared} = shape.make(e, space, given, label);
+    const handle = body?.handle ?? 0;
+    // The world's space learns of it last: one that is refused would leave word there that something has been disturbed.
+    const space = shape.in_space ? world.space : 0, {pointer, shared} = shape.make(e, space, given, label);
     try {
         e.check(label);
     } catch (error) {
@@ -179,6 +181,8 @@ export function create_geom(world, body, kind, options) {
         e.check(label);
         assign(made, given, own);
         add_mass(body, made, shape, given, label);
+        if (space === 0) e.c.dSpaceAdd(world.space, pointer);
+        e.check(label);
     });
 }
 
