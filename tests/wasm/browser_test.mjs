@@ -6,17 +6,15 @@
 // steps to the same bits in the browser as in this Node.
 //     EPODE_NPM=build/npm EPODE_WEB=build/wasm/web EPODE_PACKAGE=build/wasm/npm node browser_test.mjs [FOLDER for pictures]
 import assert from 'node:assert/strict';
-import {mkdir, readFile} from 'node:fs/promises';
+import {readFile} from 'node:fs/promises';
 import {createServer} from 'node:http';
-import {createRequire} from 'node:module';
 import path from 'node:path';
 import {fileURLToPath, pathToFileURL} from 'node:url';
 import {scenes} from '../../wasm/playground/src/scenes/all.mjs';
 import {Simulation} from '../../wasm/playground/src/simulation.mjs';
+import {browser, complaints, judge, kPatience, kSizes, overflow, shot, watched_page} from './browser.mjs';
 
-const {EPODE_NPM, EPODE_WEB, EPODE_PACKAGE} = process.env, pictures = process.argv[2], html = path.resolve(EPODE_WEB, 'index.html');
-const from_npm = createRequire(path.resolve(EPODE_NPM) + '/'), {chromium} = from_npm('playwright-core'), axe = from_npm.resolve('axe-core/axe.min.js');
-const kSizes = {wide: {width: 1280, height: 800}, narrow: {width: 390, height: 844}}, kSeconds = 3, kPatience = 120000;
+const {EPODE_WEB, EPODE_PACKAGE} = process.env, html = path.resolve(EPODE_WEB, 'index.html'), kSeconds = 3;
 
 const server = createServer(async (request, response) => {
     const found = request.url === '/' ? await readFile(html) : null;
@@ -24,23 +22,14 @@ const server = createServer(async (request, response) => {
 });
 await new Promise(resolve => server.listen(0, resolve));
 const origin = `http://localhost:${server.address().port}/`;
-if (pictures) await mkdir(pictures, {recursive: true});
-const browser = await chromium.launch({
-    executablePath: process.env.EPODE_CHROMIUM ?? '/usr/bin/chromium',
-    args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox'],
-});
-const complaints = [];
 
 async function open(viewport, address = origin, options = {}) {
-    const page = await browser.newPage({viewport, ...options});
-    page.on('pageerror', error => complaints.push(String(error)));
-    page.on('console', message => { if (['error', 'warning'].includes(message.type()) && !/favicon|404|GPU stall/.test(message.text())) complaints.push(message.text()); });
+    const page = await watched_page(viewport, options);
     await page.goto(address);
     await page.waitForFunction(() => window.playground, undefined, {timeout: kPatience});
     return page;
 }
 const simulated = (page, seconds) => page.waitForFunction(wanted => window.playground.simulation.time > wanted, seconds, {timeout: kPatience});
-const shot = (page, name) => page.screenshot(pictures ? {path: path.join(pictures, `${name}.png`)} : {});
 
 async function every_scene(size) {
     const page = await open(kSizes[size]), rates = {};
@@ -50,13 +39,12 @@ async function every_scene(size) {
         await simulated(page, kSeconds);
         const state = await page.evaluate(() => {
             const {simulation, interval} = window.playground, {kinetic, potential} = simulation.energy(), poses = Array.from(simulation.poses());
-            const {scrollWidth, clientWidth} = document.documentElement;
             return {kinetic, potential, finite: poses.every(Number.isFinite), lowest: Math.min(...simulation.bodies.map(body => body.position[2])),
-                    rate: 1 / interval, overflow: scrollWidth - clientWidth};
+                    rate: 1 / interval};
         });
         assert.ok(Number.isFinite(state.kinetic) && Number.isFinite(state.potential) && state.finite, `${scene}: ${JSON.stringify(state)}`);
         assert.ok(state.lowest > ({boats: -4, buggy: -4}[scene] ?? 0) - 0.02, `${scene}: a body is at ${state.lowest}`);
-        assert.ok(state.overflow <= 0, `${scene}: the page is ${state.overflow} pixels too wide`);
+        assert.ok(await overflow(page) <= 0, `${scene}: the page is ${await overflow(page)} pixels too wide`);
         rates[scene] = state.rate.toFixed(1);
         await shot(page, `${scene}-${size}`);
         assert.deepEqual(complaints.splice(0), [], scene);
@@ -156,11 +144,7 @@ async function accessible() {
     for (const [size, viewport] of Object.entries(kSizes)) {
         for (const colorScheme of ['light', 'dark']) {
             const page = await open(viewport, origin, {colorScheme});
-            await page.addScriptTag({path: axe});
-            const {violations} = await page.evaluate(() => window.axe.run());
-            const serious = violations.filter(({impact}) => ['serious', 'critical'].includes(impact));
-            assert.deepEqual(serious.map(({id, nodes}) => `${id}: ${nodes.map(node => node.html).join(' ')}`), [], `${size}, ${colorScheme}`);
-            if (violations.length > 0) console.log(`axe, ${size}: ${violations.map(({id, impact}) => `${id} (${impact})`).join(', ')}`);
+            await judge(page, `${size}, ${colorScheme}`);
             await page.close();
         }
     }

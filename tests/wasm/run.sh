@@ -4,7 +4,7 @@
 #
 # The library for WebAssembly: Debian's clang builds it by the preset `wasm`, Node runs its tests, golden hashes among them, the module
 # through epode.mjs, the scenes of the playground, and a C program that is built against what `cmake --install` leaves.
-# The playground in a browser is browser_test.mjs's.
+# The playground in a browser is browser_test.mjs's, the live scenes of the site pages_test.mjs's.
 #   tests/wasm/run.sh [--golden]      (needs what `scripts/setup wasm` installs and Node 20; --golden: the hashes alone, in minutes)
 # tests/wasm/skipped lists the tests that need threads or processes.
 set -euo pipefail
