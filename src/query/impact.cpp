@@ -178,19 +178,23 @@ class SweptPath {
     int pieces_;
 };
 
-// Depths of single triangles say nothing of the way out of a surface, and on any way there are others that it has not touched: contacts
-// alone push out what begins this deep.
-bool begins_deep(const Traveller& a, const TriangleSet& set, const Mover& surface, Real allowed,
-                 Effort& effort)
+// Depths of single triangles say nothing of the way out of a surface, and on any way there are others that have not been touched: what
+// begins this deep and moves outwards where it is deepest is left to the contacts that push it. Of surfaces with a front, as a sheet has two.
+bool comes_out(const Traveller& a, const TriangleSet& set, const Mover& surface, Real allowed, Effort& effort)
 {
+    const Pose& pose = surface.shape.pose;
     const ConvexView view = a.at(0);
-    const Vec3 middle = surface.shape.pose.to_local(a.middle_at(0));
-    bool deep = false;
+    const Vec3 middle = pose.to_local(a.middle_at(0));
+    Separation deepest;
     set.query(grown(Aabb{middle, middle}, a.reach), effort, [&](const Triangle& t, int) {
-        if (deep || !effort.spend(Effort::kDistance)) return;
-        deep = distance_of(view, traveller(t, surface.shape.pose, {}).at(0), 0).distance < -allowed;
+        if (!effort.spend(Effort::kDistance)) return;
+        const Separation s = distance_of(view, traveller(t, pose, {}).at(0), 0);
+        if (s.distance < deepest.distance) deepest = s;
     });
-    return deep;
+    if (!(deepest.distance < -allowed)) return false;
+    const Vec3 on_a = a.motion.at(1, view.pose).to_world(view.pose.to_local(deepest.on_a)),
+               on_b = surface.motion.at(1, pose).to_world(pose.to_local(deepest.on_a));
+    return dot(on_a - on_b, deepest.normal) >= 0;
 }
 
 // `one_sided`: a traveller that comes from behind a triangle passes.
@@ -204,7 +208,7 @@ Real meet_surface(const Traveller& a, const Mover& surface, bool one_sided, cons
     // A traveller that crosses this much of an endless field is not stopped.
     if (set.endless() && way.length_of_way() > kEndless * a.reach) return best;
     const Pose& pose = surface.shape.pose;
-    if (rule.held && begins_deep(a, set, surface, rule.allowed, effort)) return best;
+    if (one_sided && rule.held && comes_out(a, set, surface, rule.allowed, effort)) return best;
     for (int i = 0; i < way.pieces() && way.begin(i) < std::min(best, max_time); ++i) {
         if (!effort.spend(1)) break;
         set.query(way.box(i), effort, [&](const Triangle& t, int) {

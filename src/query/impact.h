@@ -14,7 +14,7 @@
 //                part of `allowed`, and stop a hair deeper than they were. Without contacts they pass,
 //                because the program wants none.
 //   surfaces     triangle by triangle along the path, in pieces; from behind only if the pair's contacts
-//                push that way, too; none where the mover begins deeper than `allowed`, in the program's contacts.
+//                push that way, too, and then none where the mover begins deeper than `allowed` and comes out.
 // Rejected: casting a shrunken core of the moving solid. Its edges would be passed.
 #pragma once
 
