@@ -180,7 +180,7 @@ class SweptPath {
 
 // Depths of single triangles say nothing of the way out of a surface, and on any way there are others that have not been touched: what
 // begins this deep and moves outwards where it is deepest is left to the contacts that push it. Of surfaces with a front, as a sheet has two.
-bool comes_out(const Traveller& a, const TriangleSet& set, const Mover& surface, Real allowed, Effort& effort)
+bool is_leaving(const Traveller& a, const TriangleSet& set, const Mover& surface, Real allowed, Effort& effort)
 {
     const Pose& pose = surface.shape.pose;
     const ConvexView view = a.at(0);
@@ -208,7 +208,7 @@ Real meet_surface(const Traveller& a, const Mover& surface, bool one_sided, cons
     // A traveller that crosses this much of an endless field is not stopped.
     if (set.endless() && way.length_of_way() > kEndless * a.reach) return best;
     const Pose& pose = surface.shape.pose;
-    if (one_sided && rule.held && comes_out(a, set, surface, rule.allowed, effort)) return best;
+    if (one_sided && rule.held && is_leaving(a, set, surface, rule.allowed, effort)) return best;
     for (int i = 0; i < way.pieces() && way.begin(i) < std::min(best, max_time); ++i) {
         if (!effort.spend(1)) break;
         set.query(way.box(i), effort, [&](const Triangle& t, int) {

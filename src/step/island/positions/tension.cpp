@@ -166,8 +166,8 @@ class Swings {
     }
 
     const IslandWork& work_;
-    const Real h_,
-        least_;  // half of what raises an inertia, at right angles to the arm: one of two joints has it
+    const Real h_;
+    const Real least_;  // half of what raises an inertia, at right angles to the arm: one of two joints has it
     Arena& arena_;
     std::span<Swing> S_;
 };
