@@ -180,7 +180,8 @@ class SweptPath {
 
 // Depths of single triangles say nothing of the way out of a surface, and on any way there are others that have not been touched: what
 // begins this deep and moves outwards where it is deepest is left to the contacts that push it. Of surfaces with a front, as a sheet has two.
-bool is_leaving(const Traveller& a, const TriangleSet& set, const Mover& surface, Real allowed, Effort& effort)
+bool is_leaving(const Traveller& a, const TriangleSet& set, const Mover& surface, Real allowed,
+                Effort& effort)
 {
     const Pose& pose = surface.shape.pose;
     const ConvexView view = a.at(0);

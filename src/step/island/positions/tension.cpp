@@ -167,7 +167,7 @@ class Swings {
 
     const IslandWork& work_;
     const Real h_;
-    const Real least_;  // half of what raises an inertia, at right angles to the arm: one of two joints has it
+    const Real least_;  // half of what raises an inertia, at right angles to the arm: of one of two joints
     Arena& arena_;
     std::span<Swing> S_;
 };
