@@ -52,7 +52,7 @@ class PlacedHull {
     unsigned char* face_marks() { return marks_ + 4 * corner_groups_; }
 
   private:
-    static constexpr int kNumbers = 2048, kMarks = 512, kSeams = 256;  // more need memory
+    static constexpr int kNumbers = 1536, kMarks = 256, kSeams = 128;  // more need memory
     static Vec3 at(const Real* p) { return {p[0], p[4], p[8]}; }
     void find();
     void mark_faces_down(Real sine);

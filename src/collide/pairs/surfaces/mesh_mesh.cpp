@@ -331,7 +331,7 @@ class TerrainSide {
     Cell& cell_at(int i, int j)
     {
         const int number = (j - z_.from) * (x_.count() - 1) + i - x_.from;
-        const int place = (i & (kAside - 1)) + kAside * (j & (kAside - 1));
+        const int place = (i & (kColumns - 1)) + kColumns * (j & (kRows - 1));
         Cell& cell = cells_[place];
         if (kept_[place] == number) return cell;
         kept_[place] = number;
@@ -368,10 +368,10 @@ class TerrainSide {
     Aabb box_{{kInf, kInf, kInf}, {-kInf, -kInf, -kInf}};
     Real lowest_ = kInf;
     bool holes_ = false;
-    static constexpr int kAside = 4;  // few, since a program's thread may have a stack of 64 KiB
-    int kept_[kAside * kAside];       // the number of the cell in each place
+    static constexpr int kColumns = 4, kRows = 2;  // few, since a program's thread may have a stack of 64 KiB
+    int kept_[kColumns * kRows];                   // the number of the cell in each place
     union {
-        Cell cells_[kAside * kAside];  // in a union: left unwritten until found
+        Cell cells_[kColumns * kRows];  // in a union: left unwritten until found
     };
 };
 
