@@ -23,7 +23,7 @@ struct Swing {
     bool is_link() const { return loads > 1; }
 };
 
-// By body of the island, where the impulses that its joints remember of the last step or substep are a quarter of what would raise an
+// By body of the island, where the impulses that its joints remember of the last step or substep are about half of what would raise an
 // inertia; empty: no body's are, or out of memory.
 std::span<const Swing> find_swings(const IslandWork& work, Real h, Real resolved, Arena& arena);
 
