@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 
 #include "mechanism.h"
 
@@ -67,16 +68,23 @@ bool contradicts(const Mechanism& m, const dWorldStepReport& r)
     return m.cfm == 0 && r.unsolved_joints > 0 && r.contained_islands == 0;
 }
 
-// Rows that contradict each other by less than the report names have no solution either, but one with softness.
-bool is_solved_softly(int number, const std::vector<BodyState>& from)
+// The residual of a step from such a state; cfm: of the world, instead of its own.
+double one_step(int number, const std::vector<BodyState>& from, const std::vector<bool>& without,
+                std::optional<double> cfm = {})
 {
-    Mechanism m(number);
+    Mechanism m(number, {}, without);
     m.put(from);
-    dWorldSetCFM(m.world, dReal(1e-10));
+    if (cfm) dWorldSetCFM(m.world, dReal(*cfm));
     dWorldSetStepReportMode(m.world, 1);
     m.collide();
     m.step();
-    return report_of(m).residual <= kPromised;
+    return report_of(m).residual;
+}
+
+// Rows that contradict each other by less than the report names have no solution either, but one with softness.
+bool is_solved_softly(int number, const std::vector<BodyState>& from)
+{
+    return one_step(number, from, {}, 1e-10) <= kPromised;
 }
 
 void count_torn(const dWorldStepReport& r, Totals& t)
@@ -160,16 +168,6 @@ int sweep(int first, int number, int steps)
     for (int k = 0; k < 20; ++k)
         if (t.decade[k]) std::printf("  residual below 1e-%d: %d steps\n", k - 1, t.decade[k]);
     return t.failed > 0;
-}
-
-double one_step(int number, const std::vector<BodyState>& from, const std::vector<bool>& without)
-{
-    Mechanism m(number, {}, without);
-    m.put(from);
-    dWorldSetStepReportMode(m.world, 1);
-    m.collide();
-    m.step();
-    return report_of(m).residual;
 }
 
 int reduce(int number, int step)
