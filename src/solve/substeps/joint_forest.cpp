@@ -1,80 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Triangles are stored by rows. A pivot that is not above zero becomes one, which leaves its row alone. Every
-// diagonal element of K gets a billionth of itself added: redundant rows then have a factor.
+// Batches are scheduled from the leaves: a body comes as early as what hangs on it allows, those far from their
+// roots first, so that a figure of eleven bodies takes four batches and a chain one for each body.
 #include "solve/substeps/joint_forest.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "math/cholesky.h"
 
 namespace epode {
 namespace {
 
+constexpr int kFullBundle = 8;                               // bodies
+constexpr std::size_t kNobody = 0, kWorld = 1, kSpares = 2;  // nodes that are no body's
+
 constexpr int triangle(int n) { return n * (n + 1) / 2; }
-
-// A = L L^T in place.
-inline void factor_triangle(double* A, int n)
-{
-    for (int i = 0; i < n; ++i) {
-        double* const row = A + triangle(i);
-        for (int j = 0; j <= i; ++j) {
-            const double* const other = A + triangle(j);
-            double sum = row[j];
-            for (int k = 0; k < j; ++k) sum -= row[k] * other[k];
-            if (j < i)
-                row[j] = sum * other[j];
-            else
-                row[j] = sum > 0 ? 1 / std::sqrt(sum) : 1;  // the reciprocal
-        }
-    }
-}
-
-// x = L^-1 x
-inline void forward(const double* L, int n, double* x)
-{
-    for (int i = 0; i < n; ++i) {
-        const double* const row = L + triangle(i);
-        double sum = x[i];
-        for (int k = 0; k < i; ++k) sum -= row[k] * x[k];
-        x[i] = sum * row[i];
-    }
-}
-
-// x = L^-T x
-inline void backward(const double* L, int n, double* x)
-{
-    for (int i = n - 1; i >= 0; --i) {
-        const double* const row = L + triangle(i);
-        x[i] *= row[i];
-        for (int k = 0; k < i; ++k) x[k] -= row[k] * x[i];
-    }
-}
-
-inline double dot6(const double* a, const double* b)
-{
-    return ((a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3])) + (a[4] * b[4] + a[5] * b[5]);
-}
-
-inline void add6(double s, const double* a, double* to)
-{
-    for (int i = 0; i < 6; ++i) to[i] += s * a[i];
-}
-
-inline void load_row(const NetworkRow& row, int side, double* J)
-{
-    for (int i = 0; i < 3; ++i) J[i] = double(row.lin[side][i]), J[3 + i] = double(row.ang[side][i]);
-}
 
 }  // namespace
 
 bool JointForest::build(const RowSystem& system, std::span<const NetworkJoint> joints, Arena& arena)
 {
     is_forest_ = false;
-    trees_ = arena.take<Tree>(int(joints.size()));
-    links_ = arena.take<Link>(int(joints.size()));
+    const int count = int(joints.size() + system.bodies.size());  // joints, and roots
+    bundles_ = arena.take<Bundle>(int(system.bodies.size()));
+    links_ = arena.take<Link>(count);
     order_ = arena.take<int>(int(joints.size()));
     seen_ = arena.take_zeroed<unsigned char>(int(system.bodies.size()));
     if (arena.failed() || !list_ends(system, joints, arena)) return false;
@@ -90,7 +41,7 @@ bool JointForest::build(const RowSystem& system, std::span<const NetworkJoint> j
         if (joint.moves(0) && joint.moves(1) && !seen_[std::size_t(joint.body[0])] &&
             !grow(joints, joint.body[0], -1))
             return true;
-    is_forest_ = links_found_ == int(joints.size());
+    is_forest_ = joints_found_ == int(joints.size());
     return true;
 }
 
@@ -114,26 +65,25 @@ bool JointForest::list_ends(const RowSystem& system, std::span<const NetworkJoin
 // The tree of a body; joint: holds it to what cannot move, or -1. False: there is a loop.
 bool JointForest::grow(std::span<const NetworkJoint> joints, int body, int joint)
 {
-    Tree& tree = trees_[std::size_t(tree_count_++)];
-    tree.first = links_found_, tree.root = joint < 0 ? body : -1;
+    const int first_link = links_found_, first_joint = joints_found_;
     if (seen_[std::size_t(body)]) return false;
     seen_[std::size_t(body)] = 1;
-    if (joint >= 0) {
-        add_link(body, -1, joint);
-    } else if (!visit(joints, body, -1)) {
-        return false;
+    add_link(body, -1, joint);
+    for (int i = first_link; i < links_found_; ++i) {
+        const Link& link = links_[std::size_t(i)];
+        const int from = link.joint < 0 ? -1 : order_[std::size_t(link.joint)];
+        if (!visit(joints, link.body, from)) return false;
     }
-    for (int i = tree.first; i < links_found_; ++i)
-        if (!visit(joints, links_[std::size_t(i)].body, order_[std::size_t(i)])) return false;
-    tree.last = links_found_;
+    end_tree(first_link, first_joint);
     return true;
 }
 
 void JointForest::add_link(int body, int parent, int joint)
 {
-    Link& link = links_[std::size_t(links_found_)];
+    Link& link = links_[std::size_t(links_found_++)];
     link.body = body, link.parent = parent;
-    order_[std::size_t(links_found_++)] = joint;
+    link.joint = joint < 0 ? -1 : joints_found_;
+    if (joint >= 0) order_[std::size_t(joints_found_++)] = joint;
 }
 
 // Adds what hangs on a body that was reached by this joint.
@@ -151,131 +101,191 @@ bool JointForest::visit(std::span<const NetworkJoint> joints, int body, int join
     return true;
 }
 
+// Into a bundle of its own, unless the last one is not full.
+void JointForest::end_tree(int first_link, int first_joint)
+{
+    Bundle* last = bundle_count_ > 0 ? &bundles_[std::size_t(bundle_count_ - 1)] : nullptr;
+    if (!last || last->last_link - last->first_link >= kFullBundle) {
+        last = &bundles_[std::size_t(bundle_count_++)];
+        last->first = first_joint, last->first_link = first_link;
+    }
+    last->last = joints_found_, last->last_link = links_found_;
+}
+
 bool JointForest::prepare(std::span<const NetworkJoint> joints, Arena& arena)
 {
-    int numbers = 0;
-    for (const NetworkJoint& joint : joints) numbers += kBody + 12 * joint.count + triangle(joint.count);
-    numbers_ = arena.take<double>(numbers);
-    roots_ = arena.take<double>(kBody * tree_count_);
-    nodes_ = arena.take<Node>(int(seen_.size()));
+    nodes_ = arena.take_zeroed<ForestNode>(int(seen_.size()) + kSpares);
+    if (arena.failed() || !schedule(joints, arena)) return false;
+    for (int i = 0; i < 6; ++i) node(-1, kNobody)->P[triangle(i) + i] = 1;
+    for (Link& link : links_.first(std::size_t(links_found_))) {
+        if (link.joint < 0) continue;
+        const NetworkJoint& joint = joints[std::size_t(link.joint)];
+        link.side = joint.body[0] == link.body && joint.moves(0) ? 0 : 1;
+    }
+    return take_numbers(arena);
+}
+
+bool JointForest::schedule(std::span<const NetworkJoint> joints, Arena& arena)
+{
+    batches_ = arena.take<Batch>(links_found_);
+    next_ = arena.take<int>(links_found_ + 1);
+    ready_ = arena.take_zeroed<int>(int(seen_.size()));
     if (arena.failed()) return false;
-    double* next = numbers_.data();
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        Link& link = links_[i];
-        const int n = joints[i].count;
-        link.side = joints[i].body[0] == link.body && joints[i].moves(0) ? 0 : 1;
-        link.L = next, link.W = link.L + kBody, link.G = link.W + 6 * n, link.U = link.G + triangle(n);
-        next = link.U + 6 * n;
+    for (int i = 0; i <= links_found_; ++i) next_[std::size_t(i)] = i;
+    for (Bundle& bundle : bundles_.first(std::size_t(bundle_count_))) schedule(bundle, joints);
+    return true;
+}
+
+// From the last link: in a tree, no link is farther from the root.
+void JointForest::schedule(Bundle& bundle, std::span<const NetworkJoint> joints)
+{
+    bundle.first_batch = batch_count_;
+    for (int i = bundle.last_link - 1; i >= bundle.first_link; --i) {
+        const Link& link = links_[std::size_t(i)];
+        const int earliest = std::max(bundle.first_batch, ready_[std::size_t(link.body)]);
+        const int batch = first_open(earliest);
+        enter(i, batch, link.joint < 0 ? 0 : joints[std::size_t(link.joint)].count);
+        if (link.parent >= 0) {
+            int& ready = ready_[std::size_t(link.parent)];
+            ready = std::max(ready, batch + 1);
+        }
+    }
+    bundle.last_batch = batch_count_;
+}
+
+int JointForest::first_open(int batch)
+{
+    int found = batch;
+    while (next_[std::size_t(found)] != found) found = next_[std::size_t(found)];
+    while (next_[std::size_t(batch)] != found) batch = std::exchange(next_[std::size_t(batch)], found);
+    return found;
+}
+
+void JointForest::enter(int link, int batch, int rows)
+{
+    Batch& to = batches_[std::size_t(batch)];
+    if (batch == batch_count_) {
+        ++batch_count_;
+        to.rows = 0, to.numbers.leaves = true;
+        std::fill_n(to.link, kWide, -1);
+        std::fill_n(to.numbers.body, kWide, node(-1, kNobody));
+        std::fill_n(to.numbers.parent, kWide, node(-1, kWorld));
+    }
+    int lane = 0;
+    while (to.link[lane] >= 0) ++lane;
+    const Link& its = links_[std::size_t(link)];
+    links_[std::size_t(link)].batch = batch;
+    to.link[lane] = link, to.rows = std::max(to.rows, rows);
+    to.numbers.leaves = to.numbers.leaves && ready_[std::size_t(its.body)] == 0;
+    to.numbers.body[lane] = node(its.body, kNobody), to.numbers.parent[lane] = node(its.parent, kWorld);
+    if (lane == kWide - 1) next_[std::size_t(batch)] = batch + 1;
+}
+
+bool JointForest::take_numbers(Arena& arena)
+{
+    int count = 0;
+    const std::span<Batch> batches = batches_.first(std::size_t(batch_count_));
+    for (const Batch& batch : batches) count += kBody + 25 * batch.rows + triangle(batch.rows);
+    numbers_ = arena.take<ForestLanes>(count);
+    if (arena.failed()) return false;
+    ForestLanes* next = numbers_.data();
+    for (Batch& batch : batches) {
+        ForestBatch& b = batch.numbers;
+        const int n = batch.rows;
+        b.D = next, b.x = b.D + kBody, b.A = b.x + n, b.B = b.A + 6 * n, b.T = b.B + 6 * n;
+        b.Y = b.T + 6 * n, b.Q = b.Y + 6 * n, next = b.Q + triangle(n);
     }
     return true;
 }
 
-void JointForest::load_mass(const SolverBody& body, Node& node) const
+// The mass matrix, or its inverse.
+void JointForest::load_mass(const SolverBody& body, bool inverse, double* to)
 {
-    std::fill(node.P, node.P + kBody, 0.0);
-    Sym3 inertia{};
-    invert_positive_definite(body.inv_inertia, inertia);
-    for (int i = 0; i < 3; ++i) node.P[triangle(i) + i] = 1 / double(body.inv_mass);
-    const Real numbers[] = {inertia.xx, inertia.xy, inertia.yy, inertia.xz, inertia.yz, inertia.zz};
+    std::fill_n(to, kBody, 0.0);
+    Sym3 s = body.inv_inertia;
+    if (!inverse) invert_positive_definite(body.inv_inertia, s);
+    const double mass = inverse ? double(body.inv_mass) : 1 / double(body.inv_mass);
+    for (int i = 0; i < 3; ++i) to[triangle(i) + i] = mass;
+    const Real numbers[] = {s.xx, s.xy, s.yy, s.xz, s.yz, s.zz};
     for (int i = 0, k = 0; i < 3; ++i)
-        for (int j = 0; j <= i; ++j) node.P[triangle(3 + i) + 3 + j] = double(numbers[k++]);
+        for (int j = 0; j <= i; ++j) to[triangle(3 + i) + 3 + j] = double(numbers[k++]);
 }
 
-void JointForest::factor(const RowSystem& system, std::size_t tree, std::span<const NetworkJoint> joints,
+void JointForest::factor(const RowSystem& system, std::size_t bundle, std::span<const NetworkJoint> joints,
                          std::span<const NetworkRow> rows)
 {
-    const Tree& its = trees_[tree];
-    const auto load = [&](int b) { load_mass(system.bodies[std::size_t(b)], nodes_[std::size_t(b)]); };
-    if (its.root >= 0) load(its.root);
-    for (int i = its.first; i < its.last; ++i) load(links_[std::size_t(i)].body);
-    for (int i = its.last - 1; i >= its.first; --i) {
-        const NetworkJoint& joint = joints[std::size_t(i)];
-        factor_link(links_[std::size_t(i)], rows.subspan(std::size_t(joint.first), std::size_t(joint.count)));
+    const Bundle& its = bundles_[bundle];
+    for (int i = its.first_link; i < its.last_link; ++i) {
+        const Link& link = links_[std::size_t(i)];
+        const bool leaf = batches_[std::size_t(link.batch)].numbers.leaves;
+        const auto body = std::size_t(link.body);
+        load_mass(system.bodies[body], leaf, nodes_[body].P);
     }
-    if (its.root < 0) return;
-    double* const L = roots_.data() + kBody * tree;
-    std::copy_n(nodes_[std::size_t(its.root)].P, kBody, L);
-    factor_triangle(L, 6);
-}
-
-void JointForest::factor_link(Link& link, std::span<const NetworkRow> rows)
-{
-    std::copy_n(nodes_[std::size_t(link.body)].P, kBody, link.L);
-    factor_triangle(link.L, 6);
-    link.count = 0;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].place == RowPlace::kFactor) link.row[link.count++] = static_cast<unsigned char>(i);
-    for (int i = 0; i < link.count; ++i) {
-        const NetworkRow& row = rows[link.row[i]];
-        double* const w = link.W + 6 * i;
-        load_row(row, link.side, w);
-        forward(link.L, 6, w);
-        double* const k = link.G + triangle(i);
-        for (int j = 0; j <= i; ++j) k[j] = dot6(w, link.W + 6 * j);
-        k[i] += kFirm * k[i] + double(row.C);
-    }
-    factor_triangle(link.G, link.count);
-    if (link.parent >= 0) hand_on(link, rows);
-}
-
-// U, and what the parent carries.
-void JointForest::hand_on(const Link& link, std::span<const NetworkRow> rows)
-{
-    double* const P = nodes_[std::size_t(link.parent)].P;
-    for (int i = 0; i < link.count; ++i) {
-        double* const u = link.U + 6 * i;
-        const double* const g = link.G + triangle(i);
-        load_row(rows[link.row[i]], 1 - link.side, u);
-        for (int k = 0; k < i; ++k) add6(-g[k], link.U + 6 * k, u);
-        for (int k = 0; k < 6; ++k) u[k] *= g[i];
-        for (int a = 0; a < 6; ++a)
-            for (int b = 0; b <= a; ++b) P[triangle(a) + b] += u[a] * u[b];
+    for (int i = its.first_batch; i < its.last_batch; ++i) {
+        Batch& batch = batches_[std::size_t(i)];
+        gather(batch, joints, rows);
+        kernels_->factor(batch.numbers);
     }
 }
 
-void JointForest::solve(std::size_t tree, std::span<const NetworkJoint> joints, std::span<double> x)
+void JointForest::gather(Batch& batch, std::span<const NetworkJoint> joints, std::span<const NetworkRow> rows)
 {
-    const Tree& its = trees_[tree];
-    const auto clear = [&](int b) { std::fill_n(nodes_[std::size_t(b)].f, 6, 0.0); };
-    if (its.root >= 0) clear(its.root);
-    for (int i = its.first; i < its.last; ++i) clear(links_[std::size_t(i)].body);
-    for (int i = its.last - 1; i >= its.first; --i)
-        eliminate(links_[std::size_t(i)], x.data() + joints[std::size_t(i)].first);
-    if (its.root >= 0) {
-        Node& root = nodes_[std::size_t(its.root)];
-        std::copy_n(root.f, 6, root.dv);
-        forward(roots_.data() + kBody * tree, 6, root.dv);
-        backward(roots_.data() + kBody * tree, 6, root.dv);
+    ForestBatch& b = batch.numbers;
+    std::fill(b.x, b.T, ForestLanes{});
+    b.rows = 0;
+    for (int lane = 0; lane < kWide && batch.link[lane] >= 0; ++lane) {
+        Link& link = links_[std::size_t(batch.link[lane])];
+        link.count = 0;
+        if (link.joint < 0) continue;
+        const NetworkJoint& joint = joints[std::size_t(link.joint)];
+        gather_rows(b, lane, link, rows.subspan(std::size_t(joint.first), std::size_t(joint.count)));
+        b.rows = std::max(b.rows, link.count);
     }
-    for (int i = its.first; i < its.last; ++i)
-        substitute(links_[std::size_t(i)], x.data() + joints[std::size_t(i)].first);
 }
 
-void JointForest::eliminate(Link& link, double* x)
+void JointForest::gather_rows(const ForestBatch& b, int lane, Link& link, std::span<const NetworkRow> rows)
 {
-    std::copy_n(nodes_[std::size_t(link.body)].f, 6, link.z);
-    forward(link.L, 6, link.z);
-    double g[kMaxRows];
-    for (int i = 0; i < link.count; ++i) g[i] = x[link.row[i]] - dot6(link.W + 6 * i, link.z);
-    forward(link.G, link.count, g);
-    for (int i = 0; i < link.count; ++i) x[link.row[i]] = g[i];
-    if (link.parent < 0) return;
-    double* const f = nodes_[std::size_t(link.parent)].f;
-    for (int i = 0; i < link.count; ++i) add6(g[i], link.U + 6 * i, f);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const NetworkRow& row = rows[i];
+        if (row.place != RowPlace::kFactor) continue;
+        const auto load = [&](ForestLanes* to, int side) {
+            for (int k = 0; k < 3; ++k)
+                to[k][lane] = double(row.lin[side][k]), to[3 + k][lane] = double(row.ang[side][k]);
+        };
+        load(b.B + 6 * link.count, link.side);
+        if (link.parent >= 0) load(b.A + 6 * link.count, 1 - link.side);
+        b.x[link.count][lane] = double(row.C);
+        link.row[link.count++] = static_cast<unsigned char>(i);
+    }
 }
 
-void JointForest::substitute(Link& link, double* x)
+// f(its place in a batch, its index) of each row in the factor.
+template <typename F>
+void JointForest::for_rows(const Bundle& bundle, std::span<const NetworkJoint> joints, F&& f)
 {
-    double y[kMaxRows];
-    for (int i = 0; i < link.count; ++i) y[i] = x[link.row[i]];
-    if (link.parent >= 0)
-        for (int i = 0; i < link.count; ++i)
-            y[i] -= dot6(link.U + 6 * i, nodes_[std::size_t(link.parent)].dv);
-    backward(link.G, link.count, y);
-    double* const dv = nodes_[std::size_t(link.body)].dv;
-    std::copy_n(link.z, 6, dv);
-    for (int i = 0; i < link.count; ++i) add6(y[i], link.W + 6 * i, dv), x[link.row[i]] = y[i];
-    backward(link.L, 6, dv);
+    for (int i = bundle.first_batch; i < bundle.last_batch; ++i) {
+        const Batch& batch = batches_[std::size_t(i)];
+        for (int lane = 0; lane < kWide && batch.link[lane] >= 0; ++lane) {
+            const Link& link = links_[std::size_t(batch.link[lane])];
+            for (int k = 0; k < link.count; ++k)
+                f(batch.numbers.x[k][lane], std::size_t(joints[std::size_t(link.joint)].first + link.row[k]));
+        }
+    }
+}
+
+void JointForest::solve(std::size_t bundle, std::span<const NetworkJoint> joints, std::span<double> x)
+{
+    const Bundle& its = bundles_[bundle];
+    for (int i = its.first_link; i < its.last_link; ++i)
+        std::fill_n(nodes_[std::size_t(links_[std::size_t(i)].body)].f, 6, 0.0);
+    for (int i = its.first_batch; i < its.last_batch; ++i)
+        std::fill_n(batches_[std::size_t(i)].numbers.x, batches_[std::size_t(i)].numbers.rows, ForestLanes{});
+    for_rows(its, joints, [&](double& place, std::size_t row) { place = x[row]; });
+    for (int i = its.first_batch; i < its.last_batch; ++i)
+        kernels_->eliminate(batches_[std::size_t(i)].numbers);
+    for (int i = its.last_batch - 1; i >= its.first_batch; --i)
+        kernels_->substitute(batches_[std::size_t(i)].numbers);
+    for_rows(its, joints, [&](double place, std::size_t row) { x[row] = place; });
 }
 
 }  // namespace epode

@@ -26,7 +26,7 @@ bool JointNetwork::analyse(const RowSystem& system, SymbolicCache* symbolic_cach
     if (!list_joints(system, JointForest::kMaxRows, arena)) return false;
     if (joints_.empty()) return true;
     if (!forest_.build(system, joints_, arena)) return false;
-    if (forest_.is_forest()) return find_trees(arena);
+    if (forest_.is_forest()) return sort_joints(arena);
     groups_ = arena.take<Group>(1);
     if (!list_joints(system, JointLoops::kMaxRows, arena)) return false;
     if (!loops_.build(system, joints_, symbolic_cache, arena)) return false;
@@ -35,16 +35,16 @@ bool JointNetwork::analyse(const RowSystem& system, SymbolicCache* symbolic_cach
     return true;
 }
 
-// Joints in the order of the forest, a group for each tree.
-bool JointNetwork::find_trees(Arena& arena)
+// Joints in the order of the forest, a group for each bundle.
+bool JointNetwork::sort_joints(Arena& arena)
 {
     const std::span<NetworkJoint> sorted = arena.take<NetworkJoint>(int(joints_.size()));
-    groups_ = arena.take<Group>(int(forest_.trees().size()));
+    groups_ = arena.take<Group>(int(forest_.bundles().size()));
     if (arena.failed()) return false;
     for (std::size_t i = 0; i < sorted.size(); ++i) sorted[i] = joints_[std::size_t(forest_.order()[i])];
     joints_ = sorted;
     for (std::size_t i = 0; i < groups_.size(); ++i)
-        groups_[i] = {forest_.trees()[i].first, forest_.trees()[i].last, true};
+        groups_[i] = {forest_.bundles()[i].first, forest_.bundles()[i].last, true};
     worth_ = true;
     return true;
 }

@@ -56,7 +56,7 @@ class JointNetwork {
     int factorisations() const;  // of the whole, rounded up
 
   private:
-    // Joints that are factored together: a tree, or all.
+    // Joints that are factored together: a few trees, or all.
     struct Group {
         int first, last;
         bool stale;
@@ -64,7 +64,7 @@ class JointNetwork {
     bool list_joints(const RowSystem& system, int most_rows, Arena& arena);
     static NetworkJoint network_joint(const RowBlock& piece, const RowSystem& system);
     static bool extend(NetworkJoint& joint, const RowBlock& piece, const RowSystem& system, int most_rows);
-    bool find_trees(Arena& arena);
+    bool sort_joints(Arena& arena);
     std::span<NetworkRow> rows_of(const NetworkJoint& joint) const
     {
         return rows_.subspan(std::size_t(joint.first), std::size_t(joint.count));

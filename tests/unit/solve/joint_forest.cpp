@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 #include "systems.h"
@@ -42,6 +43,8 @@ struct Joints {
         EXPECT_TRUE(forest.build(system, list, arena));
         return forest.is_forest();
     }
+    std::vector<double> random_numbers();  // one a row
+    std::vector<double> solve(std::vector<double> x);
     // The largest |r - J dv - C dp| of rows in the factor, over the largest |r|.
     double error();
 
@@ -83,18 +86,28 @@ double Joints::velocity(const NetworkJoint& joint, const NetworkRow& row, const 
     return sum;
 }
 
-double Joints::error()
+std::vector<double> Joints::solve(std::vector<double> x)
 {
     std::vector<NetworkJoint> sorted;
     for (const int j : forest.order()) sorted.push_back(list[std::size_t(j)]);
     EXPECT_TRUE(forest.prepare(sorted, arena));
-    std::vector<double> r(rows.size()), x;
-    for (double& number : r) number = double(dice.real(-1, 1));
-    x = r;
-    for (std::size_t t = 0; t < forest.trees().size(); ++t) {
+    for (std::size_t t = 0; t < forest.bundles().size(); ++t) {
         forest.factor(system, t, sorted, rows);
         forest.solve(t, sorted, x);
     }
+    return x;
+}
+
+std::vector<double> Joints::random_numbers()
+{
+    std::vector<double> r(rows.size());
+    for (double& number : r) number = double(dice.real(-1, 1));
+    return r;
+}
+
+double Joints::error()
+{
+    const std::vector<double> r = random_numbers(), x = solve(r);
     std::vector<Vec3> v(bodies_.size()), w(bodies_.size());
     const auto for_rows = [&](auto&& f) {
         for (const NetworkJoint& joint : list)
@@ -124,7 +137,7 @@ TEST(JointForest, solves_a_figure_with_limbs)
     const int parents[] = {0, 0, 1, 2, 3, 3, 5, 3, 7, 0, 9, 10, 0, 12, 13};
     for (int i = 0; i < 15; ++i) joints.join(i + 1, parents[i], 3 + i % 3);
     ASSERT_TRUE(joints.is_forest());
-    EXPECT_EQ(joints.forest.trees().size(), 1u);
+    EXPECT_EQ(joints.forest.bundles().size(), 1u);
     EXPECT_LT(joints.error(), kClose);
 }
 
@@ -136,7 +149,7 @@ TEST(JointForest, solves_trees_that_hang_and_trees_that_fly)
     joints.join(0, 4, 6), joints.join(5, 4, 3);                                   // the other way round
     joints.join(7, 6, 3), joints.join(8, 7, 5, Real(0.1)), joints.join(7, 9, 2);  // fly
     ASSERT_TRUE(joints.is_forest());
-    EXPECT_EQ(joints.forest.trees().size(), 3u);
+    EXPECT_EQ(joints.forest.bundles().size(), 1u);  // of eight links
     EXPECT_LT(joints.error(), kClose);
 }
 
@@ -147,6 +160,33 @@ TEST(JointForest, solves_a_star_and_soft_rows)
     for (int i = 1; i < 40; ++i)
         joints.join(i, 0, i % 2 ? 5 : JointForest::kMaxRows, i % 2 ? Real(0) : Real(0.5));
     ASSERT_TRUE(joints.is_forest());
+    EXPECT_LT(joints.error(), kClose);
+}
+
+TEST(JointForest, has_the_same_bits_by_the_kernels_of_every_machine)
+{
+    std::vector<double> wanted;
+    for (const ForestKernels* kernels : forest_kernels()) {
+        Joints joints(16);
+        const int parents[] = {0, 0, 1, 2, 3, 3, 5, 3, 7, 0, 9, 10, 0, 12, 13};
+        for (int i = 0; i < 15; ++i) joints.join(i + 1, parents[i], 3 + i % 4, i % 5 ? Real(0) : Real(0.1));
+        ASSERT_TRUE(joints.is_forest());
+        joints.forest.use(*kernels);
+        const std::vector<double> found = joints.solve(joints.random_numbers());
+        if (wanted.empty()) wanted = found;
+        EXPECT_EQ(std::memcmp(found.data(), wanted.data(), sizeof(double) * wanted.size()), 0)
+            << kernels->name;
+    }
+    if (forest_kernels().size() == 1) GTEST_SKIP() << "this machine runs the baseline only";
+}
+
+// Eight bodies or more fill the lanes; smaller trees share a bundle.
+TEST(JointForest, puts_small_trees_together)
+{
+    Joints joints(48);
+    for (int i = 0; i < 48; i += 3) joints.join(i + 1, i, 3), joints.join(i + 2, i + 1, 5);
+    ASSERT_TRUE(joints.is_forest());
+    EXPECT_EQ(joints.forest.bundles().size(), 6u);  // nine bodies each, and what is left
     EXPECT_LT(joints.error(), kClose);
 }
 
