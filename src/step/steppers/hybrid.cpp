@@ -7,7 +7,9 @@
 //   contacts only                 substeps; exact if cheap, for unequal masses and stacks that would topple
 //   loads that swing fast         substeps with exact joints
 //   joints only                   exact: one linear system, no iteration
-//   joints and contacts           exact if cheap, else substeps with exact joints
+//   figures                       exact if cheap, else substeps: small trees of joints between bodies of like
+//                                 masses that hang on nothing; sweeps hold them, or are seen not to (island/strain.h)
+//   other joints and contacts     exact if cheap, else substeps with exact joints
 // Quick is used on request only: substeps of equal cost are more accurate.
 #include "step/steppers/hybrid.h"
 
@@ -25,21 +27,27 @@ constexpr double kBudget = 200;         // microseconds: limit of an exact step
 constexpr double kLinearBudget = 2000;  // the same without contacts, and for stacks without loops
 constexpr double kStay = 2;             // times the budget for islands that were exact
 constexpr double kUnequal = 20;         // ratio of masses from which substeps converge badly
+constexpr int kFigure = 20;             // joints of a tree that sweeps hold together
+constexpr double kLoaded = 100;         // ratio of masses from which they do not
 constexpr double kSmall = 1e-3;         // largest fall in a substep over the radius of gyration
 constexpr double kTall = 0.4;           // the same times (height / radius)^2, of tall stacks
 constexpr std::uint8_t kStrainedSteps = 50;
 constexpr std::uint8_t kRefusedSteps = 30;
 constexpr int kGuess = 8, kGuessJoints = 2;  // factorisations, where bodies remember no work
-constexpr double kBodyWork = 0.3, kPointWork = 0.3, kJointWork = 0.9;  // microseconds in four substeps
-constexpr double kMargin = 1.5;   // of what an exact solution may take, over what the last one took
-constexpr double kBeginning = 2;  // factorisations of a step in which joints begin
-constexpr int kForgetting = 16;   // share of the work that is forgotten in a step without an exact solution
+// Microseconds in four substeps.
+constexpr double kBodyWork = 0.3, kPointWork = 0.3, kJointWork = 0.9, kExactJointWork = 1.7;
+constexpr double kLeastPart = 20;  // microseconds, of a solution that iterates
+constexpr double kMargin = 1.5;    // of what an exact solution may take, over what the last one took
+constexpr double kBeginning = 2;   // factorisations of a step in which joints begin
+constexpr int kForgetting = 16;    // share of the work that is forgotten in a step without an exact solution
 
 struct Structure {
     int bodies = 0;  // that can move
     int joints = 0, contacts = 0;
     int pairs = 0;  // of bodies that can move, connected
+    int links = 0;  // of these, by joints
     double lightest = 0, heaviest = 0, mass = 0;
+    double joined = 1;          // the largest ratio of two bodies on a joint
     double arm = 0;             // the least m r, with r the radius of gyration
     double radius = 0;          // the least radius of gyration
     double deep = 0, high = 0;  // extremes of g . x of the centres
@@ -52,6 +60,12 @@ struct Structure {
 };
 
 bool can_move(const Body* body) { return body && !body->kinematic(); }
+
+double ratio_of(const Body& a, const Body& b)
+{
+    const double ratio = double(a.mass.mass / b.mass.mass);
+    return std::max(ratio, 1 / ratio);
+}
 
 void add_bodies(const World& world, const Island& island, Structure& s)
 {
@@ -83,9 +97,11 @@ Structure structure_of(const World& world, const Island& island)
         const Body *a = joint->body1(), *b = joint->body2();
         const bool contact = joint->type->number == dJointTypeContact;
         ++(contact ? s.contacts : s.joints);
-        s.hung = s.hung || (!contact && !(can_move(a) && can_move(b)));
-        // Contacts of the same two bodies are usually consecutive.
-        if (can_move(a) && can_move(b) && !(a == last1 && b == last2)) ++s.pairs;
+        const bool both = can_move(a) && can_move(b);
+        s.hung = s.hung || (!contact && !both);
+        if (both && !contact) s.joined = std::max(s.joined, ratio_of(*a, *b));
+        // Contacts of the same two bodies are usually consecutive, as are a ball joint and the motor that limits it.
+        if (both && !(a == last1 && b == last2)) ++s.pairs, s.links += !contact;
         last1 = a, last2 = b;
     }
     for (const ManifoldEdge* edge : island.manifolds) {
@@ -155,6 +171,13 @@ bool iterates_well(const Structure& s, const World& world, Real h)
     return s.contacts == 0 || (s.ratio() < kUnequal && !topples(s, world, h));
 }
 
+// Joints that nothing but each other and contacts load. (Where there are loops, there are no trees left to be counted.)
+bool is_figures(const Structure& s)
+{
+    return s.joints > 0 && s.contacts > 0 && !s.hung && s.joined < kUnequal && s.ratio() < kLoaded &&
+           s.links <= kFigure * (s.bodies - s.links);
+}
+
 bool wants_exact(const Structure& s, const History& history, const World& world, Real h)
 {
     if (history.refused || (s.joints == 0 && iterates_well(s, world, h))) return false;
@@ -179,8 +202,9 @@ const Stepper* chosen(int number)
 // Of an exact solution: its own of the last step, or what the structure suggests.
 double largest_work(const Structure& s, const History& history, bool begins)
 {
-    if (begins) return kBeginning * once(s);
-    return history.work > 0 ? kMargin * history.work : exact_work(s, history);
+    if (begins) return std::max(kLeastPart, kBeginning * once(s));
+    const double work = history.work > 0 ? kMargin * history.work : exact_work(s, history);
+    return s.contacts > 0 ? std::max(kLeastPart, work) : work;
 }
 
 void remember_work(HybridState& state, const IslandMethod& method)
@@ -216,9 +240,11 @@ HybridChoice choose(const World& world, const Island& island, Real h)
     const Structure structure = structure_of(world, island);
     choice.substeps_work = substeps_work(structure, world.hybrid_substeps);
     if (structure.coupled) return choice.stepper = &kExact, choice;
-    const bool swings = swings_too_fast(structure, world, h), exact_joints = swings || structure.joints > 0;
+    const bool swings = swings_too_fast(structure, world, h);
+    choice.sweeps_do = !swings && is_figures(structure);
+    const bool exact_joints = swings || (structure.joints > 0 && !choice.sweeps_do);
     choice.stepper = exact_joints ? &kSubstepsExactJoints : &kSubsteps;
-    if (exact_joints) choice.network_work = 0.25 * world.hybrid_substeps * kJointWork * structure.joints;
+    if (exact_joints) choice.network_work = 0.25 * world.hybrid_substeps * kExactJointWork * structure.joints;
     choice.begins = structure.joints > 0 && has_new_joints(island);
     if (!choice.begins && (swings || !wants_exact(structure, history, world, h))) return choice;
     choice.wants_exact = true, choice.was_exact = history.exact && !choice.begins;

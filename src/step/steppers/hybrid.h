@@ -9,6 +9,7 @@
 //   one factorisation of the exact solver   0.15 N + 0.06 L^1.5 + 0.1 R
 //   exact                                   the counted work of the last step, or a guess: 2 or 8 times that
 //   substeps                                n/4 (0.3 N + 0.3 points of contact + 0.9 joints), without collision
+//   what exact joints add to them           n/4 (1.7 joints)
 //
 // with N bodies that can move, R rows, and L loops of the graph of bodies, which cause fill-in. What is wanted
 // here must fit the budget of the step, too (hybrid_budget.h).
@@ -31,6 +32,7 @@ struct HybridChoice {
     const Stepper* stepper = nullptr;  // if it is not stepped exactly
     bool wants_exact = false;
     bool was_exact = false, begins = false;
+    bool sweeps_do = false;    // substeps would be good enough
     double max_work = 0;       // microseconds that an exact solution may take
     double substeps_work = 0;  // the same of the island's substeps
     double network_work = 0;   // what exact joints add to it

@@ -11,14 +11,14 @@ namespace epode {
 namespace {
 
 constexpr double kLeastBudget = 500;    // microseconds
-constexpr double kLeastPart = 20;       // likewise
 constexpr double kForNewcomers = 0.75;  // of the budget
 constexpr double kForBeginners = 8;     // times the budget
 
 struct Candidate {
     int island;
-    bool begins, was_exact;
+    bool begins, was_exact, sweeps_do;
     double work;
+    double spared;  // what exact joints would add to its substeps
 };
 
 bool precedes(const Candidate& a, const Candidate& b)
@@ -33,11 +33,11 @@ class Budget {
   public:
     explicit Budget(double whole, double taken = 0) : whole_(whole), taken_(taken) {}
 
-    // False: it does not fit into so much of the whole.
-    bool take(double part, double share)
+    // Gives back what is spared. False: it does not fit into so much of the whole.
+    bool take(double part, double spared, double share)
     {
-        if (!(taken_ + part <= share * whole_)) return false;
-        taken_ += part, ++parts_;
+        if (part > spared && !(taken_ + part - spared <= share * whole_)) return false;
+        taken_ += part - spared, ++parts_;
         return true;
     }
     // What each part may be longer.
@@ -69,21 +69,24 @@ bool choose_hybrid_methods(const StepContext& context, std::span<const Island> i
         methods[i] = {&stepper, hybrid_iterations(world, stepper)};
         substeps += choice.substeps_work, network += choice.network_work;
         if (choice.wants_exact)
-            candidates[count++] = {int(i), choice.begins, choice.was_exact,
-                                   std::max(kLeastPart, choice.max_work)};
+            candidates[count++] = {int(i),           choice.begins,
+                                   choice.was_exact, choice.sweeps_do,
+                                   choice.max_work,  choice.begins ? 0 : choice.network_work};
     }
     const auto list = candidates.first(count);
     std::sort(list.begin(), list.end(), precedes);
-    const double whole = double(world.hybrid_budget) * std::max(substeps, kLeastBudget);
-    Budget budget(whole, network), for_beginners(kForBeginners * whole);
+    const double times = double(world.hybrid_budget), whole = times * std::max(substeps, kLeastBudget);
+    Budget budget(whole, network), for_beginners(kForBeginners * whole), for_figures(times * kLeastBudget);
+    const auto budget_of = [&](const Candidate& candidate) -> Budget& {
+        return candidate.begins ? for_beginners : candidate.sweeps_do ? for_figures : budget;
+    };
     std::size_t taken = 0;
     for (const Candidate& candidate : list) {
-        Budget& from = candidate.begins ? for_beginners : budget;
-        if (from.take(candidate.work, candidate.was_exact || candidate.begins ? 1 : kForNewcomers))
-            list[taken++] = candidate;
+        const double share = candidate.was_exact || candidate.begins ? 1 : kForNewcomers;
+        if (budget_of(candidate).take(candidate.work, candidate.spared, share)) list[taken++] = candidate;
     }
     for (const Candidate& candidate : list.first(taken)) {
-        const double part = candidate.work + (candidate.begins ? for_beginners : budget).spare();
+        const double part = candidate.work + budget_of(candidate).spare();
         IslandMethod& method = methods[std::size_t(candidate.island)];
         method = {&kExact, hybrid_iterations(world, kExact), method.stepper, method.iterations, part};
     }

@@ -31,6 +31,15 @@ constexpr int kSettlingFactor = 4, kSettlingIfExact = 2;
 constexpr ProblemForm kForm{
     .contact_manifolds = true, .cones = true, .keeps_depth = true, .has_substeps = true};
 
+// Do joints hold it to what cannot move? Others carry no loads while they come to rest.
+bool is_held(const Island& island)
+{
+    const auto fixed = [](const Body* body) { return !body || body->kinematic(); };
+    return std::any_of(island.joints.begin(), island.joints.end(), [&](const Joint* joint) {
+        return !is_contact(*joint) && (fixed(joint->body1()) || fixed(joint->body2()));
+    });
+}
+
 class SubstepRun {
   public:
     SubstepRun(IslandRun& run, bool exact_joints)
@@ -72,9 +81,9 @@ class SubstepRun {
     int count() const
     {
         const bool sweeps_joints = !exact_joints_ && has_lasting_joints(run_.work.island);
-        return sweeps_joints ? swept()
-                             : std::max(1, run_.settling_iterations(exact_joints_ ? kSettlingIfExact
-                                                                                  : kSettlingFactor));
+        if (sweeps_joints) return swept();
+        if (exact_joints_ && !is_held(run_.work.island)) return std::max(1, run_.context.iterations);
+        return std::max(1, run_.settling_iterations(exact_joints_ ? kSettlingIfExact : kSettlingFactor));
     }
     int swept() const { return std::max(1, run_.context.iterations * substep_factor(run_.work.island)); }
 
