@@ -67,6 +67,14 @@ void triangles(dGeomID, dGeomID, const int*, int) { act(); }
 int ray_hits(dGeomID, dGeomID, int, dReal, dReal) { return act(), 1; }
 int merged(dGeomID, int, int) { return act(), 0; }
 int collide_user(dGeomID, dGeomID, int, dContactGeom*, int) { return act(), 0; }
+void seen(void*, dManifold*) { act(); }
+dReal surface(void*, const dVector3, dReal) { return act(), dReal(0); }
+void current(void*, const dVector3, dReal, dVector3 velocity)
+{
+    for (int i = 0; i < 3; ++i) velocity[i] = 0;
+    act();
+}
+int lets_pass(void*, dGeomID, dGeomID, const dVector3) { return act(), 1; }
 bool g_offers = false;  // the function that offers a collider leaves
 dColliderFn* collider_for(int) { return g_offers ? act() : void(), collide_user; }
 void user_box(dGeomID geom, dReal box[6])
@@ -147,7 +155,7 @@ struct Scene {
     dWorldID world;
     dSpaceID space;
     dBodyID body[3];
-    dGeomID ball[3], user, field, lone, mesh;
+    dGeomID ball[3], user, field, lone, mesh, character = nullptr;
     dHeightfieldDataID heights;
     dTriMeshDataID triangles_of_mesh;
 };
@@ -203,6 +211,35 @@ void wrap(Scene& s)
     dGeomTransformSetCleanup(around, 1);
     dGeomSetPosition(around, 0, dReal(0.3), 0);
 }
+void flood(Scene& s, dFluidSurface* of_surface, dFluidCurrent* of_current)
+{
+    const dFluidID fluid = dFluidCreate(s.world);
+    dFluidSetPlane(fluid, 0, 1, 0, 1);
+    if (of_surface) dFluidSetSurface(fluid, of_surface, nullptr);
+    dFluidSetCurrentFunction(fluid, of_current, nullptr);
+}
+void ask_what_is_submerged(Scene& s, bool body)
+{
+    dReal volume;
+    const dFluidID fluid = dWorldGetFluid(s.world, 0);
+    body ? dFluidGetSubmergedBody(fluid, s.body[0], &volume, nullptr)
+         : dFluidGetSubmerged(fluid, s.ball[0], &volume, nullptr);
+}
+void make_character(Scene& s)
+{
+    dCharacterSettings settings;
+    dCharacterSettingsInit(&settings, sizeof settings);
+    settings.filter = lets_pass;
+    s.character = dCharacterCreate(s.space, &settings);
+    dCharacterSetPosition(s.character, -3, dReal(0.9), 0);
+}
+const dVector3 kRun = {200, 0, 0};
+void show_manifolds(Scene& s)
+{
+    s.manage_contacts();
+    dWorldSetManifoldFunction(s.world, seen, nullptr, 0);
+}
+void run_away(Scene& s) { dBodySetLinearVel(dBodyCreate(s.world), dReal(1e11), 0, 0); }
 void nest(Scene& s)
 {
     const dSpaceID inner = dSimpleSpaceCreate(s.space);
@@ -311,6 +348,29 @@ const Kind kKinds[] = {
     {"moved_in_many_worlds",
      [](Scene& s) { dWorldsStep(&s.world, 1, dReal(0.01), dStepperSubsteps, 4, 3, 1, nullptr); },
      [](Scene& s) { dBodySetMovedCallback(s.body[0], moved); }},
+    {"manifold_exact", [](Scene& s) { dWorldStep(s.world, dReal(0.01)); }, show_manifolds},
+    {"manifold_quick", [](Scene& s) { dWorldQuickStep(s.world, dReal(0.01)); }, show_manifolds},
+    {"manifold_substeps", [](Scene& s) { dWorldStepFast1(s.world, dReal(0.01), 4); }, show_manifolds},
+    {"manifold_hybrid", [](Scene& s) { dWorldStepHybrid(s.world, dReal(0.01)); }, show_manifolds},
+    {"surface_exact", [](Scene& s) { dWorldStep(s.world, dReal(0.01)); },
+     [](Scene& s) { flood(s, surface, nullptr); }},
+    {"surface_substeps", [](Scene& s) { dWorldStepFast1(s.world, dReal(0.01), 4); },
+     [](Scene& s) { flood(s, surface, nullptr); }},
+    {"surface_of_a_geom", [](Scene& s) { ask_what_is_submerged(s, false); },
+     [](Scene& s) { flood(s, surface, nullptr); }},
+    {"surface_of_a_body", [](Scene& s) { ask_what_is_submerged(s, true); },
+     [](Scene& s) { flood(s, surface, nullptr); }},
+    {"current_exact", [](Scene& s) { dWorldStep(s.world, dReal(0.01)); },
+     [](Scene& s) { flood(s, nullptr, current); }},
+    {"current_hybrid", [](Scene& s) { dWorldStepHybrid(s.world, dReal(0.01)); },
+     [](Scene& s) { flood(s, nullptr, current); }},
+    {"character_moves", [](Scene& s) { dCharacterMove(s.character, kRun, dReal(0.01)); }, make_character},
+    {"character_walks", [](Scene& s) { dCharacterWalk(s.character, kRun, 0, dReal(0.01)); }, make_character},
+    {"collider_in_place_of_ours", [](Scene& s) { collide(s.ball[0], s.lone); },
+     [](Scene&) { dSetColliderOverride(dSphereClass, dSphereClass, collide_user); }},
+    {"message_of_a_step", [](Scene& s) { dWorldStep(s.world, dReal(0.01)); }, run_away, After::kNotCalled},
+    {"message_of_a_substep", [](Scene& s) { dWorldStepFast1(s.world, dReal(0.01), 4); }, run_away,
+     After::kNotCalled},
     {"end", [](Scene& s) { dGeomDestroy(s.user); }, [](Scene&) { g_mourns = true; }, After::kNotCalled},
     {"end_with_its_space", [](Scene& s) { dSpaceDestroy(s.space); }, [](Scene&) { g_mourns = true; },
      After::kFewer},
@@ -352,6 +412,7 @@ void arrange(const Scene& scene)
 {
     for (int i = 0; i < 3; ++i) dBodySetPosition(scene.body[i], dReal(0.5 * i), dReal(0.9), 0);
     dGeomSetPosition(scene.user, 0, 0, 0);
+    if (scene.character) dCharacterSetPosition(scene.character, -3, dReal(0.9), 0);
 }
 
 // In a scene like it in which the call has returned.
@@ -377,6 +438,7 @@ void go_on(Scene& scene, int pairs)
         EXPECT_EQ(dWorldStepFast1(scene.world, dReal(0.01), 4), 1);
         EXPECT_EQ(dWorldStepHybrid(scene.world, dReal(0.01)), 1);
     }
+    if (scene.character) { EXPECT_GT(dCharacterMove(scene.character, kRun, dReal(0.01)), 0); }
     std::vector<char> state(dWorldGetStateSize(scene.world));
     EXPECT_EQ(dWorldGetState(scene.world, state.data(), state.size()), 1);
     EXPECT_EQ(dWorldSetState(scene.world, state.data(), state.size()), 1) << g_text;
