@@ -13,6 +13,7 @@
 #include <functional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <ode/ext.h>
 #include <ode/ode.h>
@@ -177,6 +178,12 @@ TEST_F(Callbacks, near_no_step_moves_what_is_collided)
     }
     dSpaceRemove(around, reinterpret_cast<dGeomID>(space));
     dSpaceDestroy(around);
+    // What lies in a space in it is not walked over, and free to move.
+    const dSpaceID part = dSimpleSpaceCreate(space);
+    dGeomSetBody(dCreateSphere(part, 1), dBodyCreate(second));
+    dWorldSetContactSpace(second, part);
+    g_act = [&] { EXPECT_EQ(every_step(second), 5); };
+    EXPECT_EQ(pairs(), 6);
     dWorldDestroy(second);
     expect_refused(0);
 }
@@ -260,6 +267,38 @@ TEST_F(Callbacks, moved_the_step_keeps_its_world)
     expect_refused(0);
 }
 
+// Saving, copying and restoring the world from inside its step.
+void expect_no_copies(dWorldID world, const std::vector<char>& state)
+{
+    const dVector3 aside = {1, 0, 0};
+    std::vector<char> out(state.size());
+    dSpaceID its = nullptr;
+    EXPECT_EQ(dWorldGetState(world, out.data(), out.size()), 0);
+    EXPECT_EQ(dWorldGetStateDelta(world, state.data(), state.size(), out.data(), out.size()), 0u);
+    EXPECT_EQ(dWorldSetState(world, state.data(), state.size()), 0);
+    EXPECT_EQ(dWorldSetHistory(world, 4), 0);
+    EXPECT_EQ(dWorldRollBack(world, 0), 0);
+    EXPECT_EQ(dWorldSaveToBuffer(world, nullptr, nullptr, 0), 0u);
+    EXPECT_EQ(dWorldSave(world, nullptr, "never_written.epw"), 0);
+    EXPECT_EQ(dWorldClone(world, &its, nullptr, 0), nullptr);
+    EXPECT_EQ(dWorldShiftOrigin(world, nullptr, aside), 0);
+}
+
+TEST_F(Callbacks, moved_the_step_lets_nobody_copy_its_world)
+{
+    std::vector<char> state(dWorldGetStateSize(world));
+    ASSERT_EQ(dWorldGetState(world, state.data(), state.size()), 1);
+    dBodySetMovedCallback(body, moved_callback);
+    g_act = [&, this] {
+        expect_no_copies(world, state);
+        expect_refused(9);
+    };
+    EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
+    EXPECT_FALSE(g_act) << "the callback came";
+    EXPECT_EQ(dWorldSetState(world, state.data(), state.size()), 1);
+    expect_refused(0);
+}
+
 TEST_F(Callbacks, moved_what_the_step_does_not_hold_may_change)
 {
     dBodySetMovedCallback(body, moved_callback);
@@ -315,6 +354,34 @@ TEST_F(Callbacks, memory_the_step_keeps_its_world)
     for (dBodyID b : late) EXPECT_EQ(dBodyGetPosition(b)[0], 0) << "of the next step";
     EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
     EXPECT_GT(dBodyGetPosition(late[49])[0], 0);
+}
+
+void* counted_alloc(dsizeint size)
+{
+    act();
+    return std::malloc(size);
+}
+
+// Of the library as a whole, which a step asks where the world has none of its own.
+TEST_F(Callbacks, memory_of_the_library_keeps_the_world_of_a_step)
+{
+    const dBodyID other = dBodyCreate(world);
+    const dJointID ball = dJointCreateBall(world, nullptr);
+    dJointAttach(ball, body, other);
+    dSetAllocHandler(counted_alloc);
+    g_act = [=, this] {
+        EXPECT_EQ(dWorldStep(world, dReal(0.01)), 0);
+        dBodyDestroy(body);
+        dJointDestroy(ball);
+        dJointAttach(ball, other, nullptr);
+        dWorldDestroy(world);
+        expect_refused(5);
+    };
+    EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
+    dSetAllocHandler(nullptr);
+    EXPECT_FALSE(g_act) << "memory was asked for";
+    EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
+    expect_refused(0);
 }
 
 TEST_F(Callbacks, feedback_may_be_taken_away_in_a_moved_callback)
@@ -464,19 +531,23 @@ TEST_F(Callbacks, height_function_keeps_geoms_and_heights)
     dGeomHeightfieldDataBuildCallback(data, nullptr, height, 4, 4, 3, 3, 1, 0, 1, 0);
     const dGeomID field = dCreateHeightfield(nullptr, data, 1);
     const float flat[4] = {};
+    const dGeomID transform = dCreateGeomTransform(nullptr);
     dContactGeom contact;
     g_act = [=, this] {
         dGeomHeightfieldDataDestroy(data);
         dGeomHeightfieldDataBuildSingle(data, flat, 1, 4, 4, 2, 2, 1, 0, 1, 0);
         dGeomDestroy(field);
         dGeomDestroy(lone);
-        expect_refused(4);
+        dGeomDestroy(sphere[2]);
+        dSpaceDestroy(space);
+        dGeomTransformSetGeom(transform, sphere[2]);
+        expect_refused(7);
     };
     EXPECT_GT(dCollide(field, lone, 1, &contact, sizeof contact), 0);
     EXPECT_FALSE(g_act) << "the function came";
     dGeomHeightfieldDataDestroy(data);
     EXPECT_EQ(dCollide(field, lone, 1, &contact, sizeof contact), 0);
-    dGeomDestroy(field);
+    for (dGeomID geom : {field, transform}) dGeomDestroy(geom);
     expect_refused(0);
 }
 
@@ -691,7 +762,8 @@ TEST_F(Callbacks, manifold_function_keeps_world_and_space)
         dGeomDestroy(sphere[1]);
         dSpaceAdd(space, lone);
         dBodySetPosition(body, 5, 5, 5);
-        expect_refused(9);
+        dBodySetKinematic(body), dBodySetDynamic(body);
+        expect_refused(11);
         EXPECT_NE(dBodyCreate(world), nullptr);
         expect_refused(0);
     };
