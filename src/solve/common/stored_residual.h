@@ -20,8 +20,8 @@
 
 namespace epode {
 
-// Relative; above it a row is unsolved: rounding stays far below in either precision.
-inline constexpr double kUnsolved = kSingle ? 1e-2 : 1e-6;
+// Relative; above it a row is unsolved. In double it is what a step promises; rounding stays below it in either precision.
+inline constexpr double kUnsolved = kSingle ? 1e-2 : 1e-9;
 
 struct StoredResidual {
     double worst = 0;

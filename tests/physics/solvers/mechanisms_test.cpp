@@ -26,6 +26,7 @@ bool is_torn(const mechanisms::Mechanism& m)
                        [](dBodyID b) { return !(length(velocity(b)) < kTorn && length(spin(b)) < kTorn); });
 }
 
+constexpr double kPlain = tol(1e-6, 1e-2);  // so much is a contradiction, not rounding
 // Rows that contradict each other without softness (CFM 0): no velocities satisfy all of them.
 constexpr int kContradicting[] = {3, 200, 352};
 
@@ -49,7 +50,7 @@ TEST_P(Mechanisms, are_solved_in_every_step)
         ASSERT_EQ(r.contained_islands, 0) << "step " << i;
         if (!(r.joint_error < kJudged)) break;
         worst = std::max(worst, r.residual);
-        if (contradicts && r.unsolved_joints > 0) continue;  // which the report says
+        if (contradicts && r.unsolved_joints > 0 && r.residual > kPlain) continue;  // which the report says
         torn = torn || is_torn(m);
         if (torn && !(r.residual <= kResidual)) {
             ++misses;
