@@ -384,7 +384,7 @@ TEST_F(Callbacks, memory_of_the_library_keeps_the_world_of_a_step)
     expect_refused(0);
 }
 
-TEST_F(Callbacks, feedback_may_be_taken_away_in_a_moved_callback)
+TEST_F(Callbacks, moved_feedback_may_be_taken_away)
 {
     dJointFeedback feedback{};
     const dJointID ball = dJointCreateBall(world, nullptr);
