@@ -94,15 +94,18 @@ class EnvironmentsOf : public Environments {
     void watch(const Piece& piece)
     {
         if (piece.source == Piece::Source::kQuantity) watch(piece.quantity);
-        if (piece.source == Piece::Source::kPoint) watch(Quantity::kLinkPositions);
+        const bool has_heights = piece.source == Piece::Source::kHeight;
+        if (piece.source == Piece::Source::kPoint || has_heights) watch(Quantity::kLinkPositions);
         if (piece.source == Piece::Source::kPoint || piece.source == Piece::Source::kDirection ||
-            piece.axes_of >= 0)
+            has_heights || piece.axes_of >= 0)
             watch(Quantity::kLinkTurns);
+        if (has_heights && !arrays_.ground) arrays_.ground = std::make_unique<Ground>(batch_.model());
     }
 
     void watch_all()
     {
         watch(Quantity::kBad);
+        arrays_.batch = &batch_;
         for (const Piece& piece : task_.observation) watch(piece);
         for (const Range& range : task_.healthy) watch(range.piece);
         for (const Term& term : task_.terms) watch(term.piece);

@@ -4,6 +4,7 @@
 // What a vector of environments asks of a batch, as data: a new task is a few lines of it. All numbers are those of one copy.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -17,8 +18,8 @@ constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 // clip(scale (f(x) - offset), low, high).
 struct Piece {
     // kActionChange: from the last step's action; kCommand: what the episode asks for; kDirection: a direction of the world; kRow: of the
-    // curriculum.
-    enum class Source { kQuantity, kAction, kPoint, kActionChange, kCommand, kDirection, kRow };
+    // curriculum; kHeight: of a link's origin above the ground at places around it.
+    enum class Source { kQuantity, kAction, kPoint, kActionChange, kCommand, kDirection, kRow, kHeight };
     enum class Function { kNone, kSine, kCosine };
     Source source = Source::kQuantity;
     Quantity quantity = Quantity::kPositions;
@@ -30,6 +31,8 @@ struct Piece {
         0, 0,
         0};  // in the axes of its link; or the direction in the world's, whose numbers are in its link's
     int axes_of = -1;  // of a quantity's vector, the link in whose axes its numbers are; -1: the world's
+    std::vector<std::array<double, 2>>
+        places;  // of heights: from the link's origin, x where the link's x heads
 };
 
 // clip(weight f(x), low, high), of the numbers x of a piece; kGaussian: exp(-x.x / width).

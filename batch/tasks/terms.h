@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "batch/lanes/angles.h"
+#include "batch/tasks/ground.h"
 #include "batch/tasks/random.h"
 #include "batch/tasks/task.h"
 
@@ -21,6 +22,8 @@ struct Arrays {
     std::array<std::size_t, std::size_t(Quantity::kCount)> sizes{};
     std::vector<double> actions, last_actions, commands, rows;
     std::size_t action_size = 0, command_size = 0;
+    const AnyBatch* batch = nullptr;
+    std::unique_ptr<Ground> ground;  // if heights are wanted
 
     const T* row(Quantity quantity, int copy) const
     {
@@ -40,6 +43,8 @@ class Terms {
         const auto finished = [&](double x) {
             return std::min(std::max(piece.scale * (x - piece.offset), piece.low), piece.high);
         };
+        if (piece.source == Piece::Source::kHeight)
+            return each_height(piece, copy, [&](int k, double x) { take(k, finished(x)); });
         if (piece.source == Piece::Source::kQuantity && piece.function == Piece::Function::kNone &&
             piece.minus < 0 && piece.command < 0 && piece.axes_of < 0) {
             const T* row = arrays_.row(piece.quantity, copy) + piece.first;  // nearly all of most tasks
@@ -89,6 +94,34 @@ class Terms {
         return term.kind == Term::Kind::kLength ? std::sqrt(squares) : squares;
     }
 
+    // Infinite where there is no ground.
+    template <typename Take>
+    void each_height(const Piece& piece, int copy, const Take& take) const
+    {
+        const T* p = arrays_.row(Quantity::kLinkPositions, copy) + 3 * piece.link;
+        T terrain[3];
+        arrays_.batch->read(Parameter::kTerrain, copy, 1, terrain);
+        const double x = double(p[0]) - double(terrain[0]), y = double(p[1]) - double(terrain[1]),
+                     z = double(p[2]) - double(terrain[2]);
+        const auto [cosine, sine] = heading(copy, piece.link);
+        for (int k = 0; k < piece.count; ++k) {
+            const auto& [ahead, left] = piece.places[std::size_t(piece.first + k)];
+            take(k, z - arrays_.ground->height(x + cosine * ahead - sine * left,
+                                               y + sine * ahead + cosine * left));
+        }
+    }
+
+    // Cosine and sine of where a link's x heads, seen from above; x of the world where that is straight up or down.
+    std::array<double, 2> heading(int copy, int link) const
+    {
+        const T* q = arrays_.row(Quantity::kLinkTurns, copy) + 4 * link;
+        const double w = double(q[0]), x = double(q[1]), y = double(q[2]), z = double(q[3]);
+        const double ahead = 1 - 2 * (y * y + z * z), left = 2 * (x * y + w * z);
+        const double length = std::sqrt(ahead * ahead + left * left);
+        if (!(length > 1e-6)) return {1, 0};
+        return {ahead / length, left / length};
+    }
+
     double command(int copy, int number) const
     {
         return arrays_.commands[std::size_t(copy) * arrays_.command_size + std::size_t(number)];
@@ -112,6 +145,7 @@ class Terms {
             case Piece::Source::kDirection:
                 return in_axes(copy, piece.link, piece.point, number);
             case Piece::Source::kPoint:
+            case Piece::Source::kHeight:
                 break;
         }
         return of_point(piece, copy, number);

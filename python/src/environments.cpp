@@ -11,6 +11,7 @@
 #ifdef EPODE_HAVE_ROBOTS
 
 #include "batch/tasks/environments.h"
+#include "batch/tasks/ground.h"
 
 using namespace bound;
 using namespace epode::batch;
@@ -45,7 +46,7 @@ Piece piece_of(nb::handle t)
 {
     Piece out;
     if (t.is_none()) return out;
-    out.source = choice(item<int>(t, 0), Piece::Source::kRow);
+    out.source = choice(item<int>(t, 0), Piece::Source::kHeight);
     out.quantity = choice(item<int>(t, 1), Quantity(int(Quantity::kCount) - 1));
     out.first = item<int>(t, 2), out.count = item<int>(t, 3);
     out.function = choice(item<int>(t, 4), Piece::Function::kCosine);
@@ -54,6 +55,8 @@ Piece piece_of(nb::handle t)
     for (int k = 0; k < 3; ++k) out.point[k] = item<double>(t, 9 + k);
     out.link = item<int>(t, 12), out.minus = item<int>(t, 13);
     out.command = item<int>(t, 14), out.axes_of = item<int>(t, 15);
+    for (nb::handle place : nb::cast<nb::tuple>(t[16]))
+        out.places.push_back({item<double>(place, 0), item<double>(place, 1)});
     return out;
 }
 
@@ -142,8 +145,18 @@ int size_of(const Piece& its, const AnyBatch& batch, size_t actions, size_t comm
         case Piece::Source::kPoint:
         case Piece::Source::kDirection:
             return 3;
+        case Piece::Source::kHeight:
+            return int(its.places.size());
     }
     return 0;
+}
+
+void check_heights(const Piece& its, const AnyBatch& batch)
+{
+    expect(its.minus < 0 && its.command < 0 && its.axes_of < 0 && its.function == Piece::Function::kNone,
+           "of heights neither minus, command, axes_of nor a function can be");
+    const Ground ground(batch.model());
+    expect(ground.refusal().empty(), ground.refusal().c_str());
 }
 
 void check(const Piece& its, const AnyBatch& batch, size_t actions, size_t commands)
@@ -157,6 +170,7 @@ void check(const Piece& its, const AnyBatch& batch, size_t actions, size_t comma
     expect(its.first >= 0 && its.count >= 0 && its.first <= size - its.count && its.minus <= size - its.count,
            "a task asks for numbers that a copy has not");
     expect(its.link >= 0 && its.link < links, "a task asks for a link that is not there");
+    if (its.source == Piece::Source::kHeight) check_heights(its, batch);
 }
 
 void check(const Task& its, const AnyBatch& batch, size_t actions)

@@ -10,6 +10,7 @@ import epode
 
 gymnasium = pytest.importorskip("gymnasium")
 import epode.vector  # noqa: E402
+from epode.vector.quadruped import STAND  # noqa: E402
 from epode.vector.terrain import KINDS, Landscape  # noqa: E402
 
 SEEN = ("qpos", "qvel", "xquat", "qfrc_actuator")
@@ -123,3 +124,74 @@ def test_a_world_of_a_copy_has_it_on_its_field():
     world = env.batch.world(i)
     trunk = max(world.bodies, key=lambda body: body.mass)
     assert np.allclose(trunk.position[:2], env.batch.read("qpos")[i, :2] - terrain[i, :2])
+
+
+# ---- the ground around it ----
+
+def scanned(env, scan, copy):
+    """Where the places of a scan are, in the world of its copy's ground, from its pose."""
+    qpos, r = env.batch.read("qpos")[copy], turn(env.batch.read("qpos")[copy, 3:7])
+    ahead = r[:2, 0] / np.linalg.norm(r[:2, 0])
+    places = np.array(scan.places)
+    return qpos[:2] + places @ np.array([ahead, [-ahead[1], ahead[0]]]), qpos[2]
+
+
+def thrown(env, seed):
+    """After a step from poses of all kinds."""
+    rng, n = np.random.default_rng(seed), env.num_envs
+    env.reset(seed=seed)
+    qpos = env.batch.read("qpos")
+    qpos[:, :3] = rng.uniform([-3, -3, 1], [3, 3, 2], (n, 3))
+    qpos[:, 3:7] = rng.normal(size=(n, 4))
+    env.batch.write("qpos", qpos)
+    return env.step(np.zeros((n, 12)))[0]
+
+
+@pytest.mark.parametrize("normal", [(0, 0, 1), (0.3, -0.1, 1), (0, 0.5, 1)])
+def test_scans_of_a_plane_are_linear_in_the_robots_heading(normal):
+    scan = epode.vector.HeightScan(1.2, 0.8, 0.2, limit=50)
+    nx, ny, nz = np.array(normal) / np.linalg.norm(normal)
+    text = epode.vector.quadruped.model_text(ground=f'<geom name="ground" type="plane" size="50 50 1" pos="0.5 0 0.1" zaxis="{nx} {ny} {nz}"/>')
+    env = vector("Quadruped", 40, xml_file=text, height_scan=scan, autoreset_mode="Disabled")
+    assert scan.shape == (5, 7) and env.single_observation_space.shape == (48 + 35,)
+    heights = thrown(env, 4)[:, 48:]
+    for i in range(40):
+        places, base = scanned(env, scan, i)
+        ground = 0.1 - (nx * (places[:, 0] - 0.5) + ny * places[:, 1]) / nz
+        assert abs(heights[i] - (base - ground - STAND)).max() < 1e-12
+
+
+def test_scans_are_what_rays_see_and_nothing_of_the_robot():
+    scan = epode.vector.HeightScan(limit=50)
+    env = vector("RoughQuadruped", 60, height_scan=scan, autoreset_mode="Disabled", threads=2)
+    env.reset(seed=2)
+    heights = thrown(env, 3)[:, -len(scan.places):]
+    origins = np.column_stack([scan.places, np.full(len(scan.places), 5.0)])
+    shapes = np.empty((60, len(origins)), np.int32)
+    ranges = env.batch.rays("trunk", np.tile([0.0, 0, -1], (len(origins), 1)), origins=origins, axes="upright", shapes=shapes)
+    on_ground = shapes == 0
+    assert 0.7 < on_ground.mean() < 1 and len(set(env.batch.get("terrain")[:, 1])) == 5
+    assert abs(heights - (ranges - 5 - STAND))[on_ground].max() < 1e-9
+
+
+def test_scans_end_where_the_ground_does_and_within_their_limit():
+    scan = epode.vector.HeightScan(0, 0, limit=0.25)
+    env = vector("RoughQuadruped", 3, height_scan=scan, autoreset_mode="Disabled")
+    env.reset(seed=1)
+    qpos = env.batch.read("qpos")
+    qpos[:, :3] = [[0, 0, 0.3], [0, 0, 4], [1000, 0, 0.3]]
+    env.batch.write("qpos", qpos)
+    heights = env.step(np.zeros((3, 12)))[0][:, -1]
+    assert abs(heights[0] - (env.batch.read("qpos")[0, 2] - STAND)) < 1e-12 and (heights[1:] == 0.25).all()
+
+
+def test_scans_that_cannot_be_are_refused():
+    model_text, scan = epode.vector.quadruped.model_text, epode.vector.HeightScan()
+    for ground, reason in (('<geom name="stone" type="box" size="1 1 0.1"/>', "'stone' is another shape"),
+                           ('<geom name="wall" type="plane" size="1 1 1" zaxis="1 0 0"/>', "'wall' is another shape"),
+                           ("", "no ground")):
+        with pytest.raises(ValueError, match=reason):
+            vector("Quadruped", 1, xml_file=model_text(ground=ground), height_scan=scan)
+    for wrong in ({"spacing": 0}, {"length": -1}, {"width": float("nan")}, {"limit": 0}, {"spacing": float("inf")}):
+        with pytest.raises(ValueError, match="height_scan"):
+            epode.vector.HeightScan(**wrong)

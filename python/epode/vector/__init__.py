@@ -18,10 +18,10 @@ except ImportError:
     raise ImportError("epode.vector needs gymnasium: pip install epode[gym]") from None
 
 from .environment import Scalar, VectorEnvironment, make
-from .task import Commands, Curriculum, Piece, Range, Start, Task, Term
+from .task import Commands, Curriculum, HeightScan, Piece, Range, Start, Task, Term
 from .tasks import TASKS as _TASKS
 
-__all__ = ["Commands", "Curriculum", "Piece", "Range", "Scalar", "Start", "Task", "Term", "VectorEnvironment", "make"]
+__all__ = ["Commands", "Curriculum", "HeightScan", "Piece", "Range", "Scalar", "Start", "Task", "Term", "VectorEnvironment", "make"]
 
 for _name, _described in _TASKS.items():
     if f"Epode/{_name}-v0" not in _gymnasium.registry:

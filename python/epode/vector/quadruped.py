@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 
 from ..robot import Model
-from .task import Commands, Curriculum, Piece, Range, Start, Task, Term
+from .task import Commands, Curriculum, HeightScan, Piece, Range, Start, Task, Term
 from .terrain import Landscape
 
 Bounds = tuple[float, float]
@@ -57,19 +57,21 @@ def quadruped(model: Model, *, frame_skip: int = 5, forward_range: Bounds = (-1.
               turning_weight: float = 0.5, tracking_width: float = 0.25, healthy_reward: float = 0.1, vertical_cost_weight: float = 2.0,
               tilting_cost_weight: float = 0.05, level_cost_weight: float = 0.5, torque_cost_weight: float = 1e-4,
               action_rate_cost_weight: float = 0.01, healthy_upright: float = 0.5, reset_noise_scale: float = 0.05,
-              curriculum: Curriculum = Curriculum()) -> Task:
+              height_scan: HeightScan | None = None, curriculum: Curriculum = Curriculum()) -> Task:
     """Goes at the speeds of its commands: forward, sideways, m/s, and turning, rad/s, in its own axes; they change every
-    command_steps steps. Observed: those velocities, the direction of gravity in the trunk's axes, commands, joints, the last action."""
+    command_steps steps. Observed: those velocities, the direction of gravity in the trunk's axes, commands, joints, the last action, and
+    the ground of a height_scan."""
     trunk, joints = model.link_names.index("trunk"), model.velocity_count - 6
     forward = Piece("qvel", 0, 2, axes_of=trunk, command=0)
     down = Piece("direction", 0, 3, link=trunk, point=(0.0, 0.0, -1.0))
     upright = Piece("direction", 2, 1, link=trunk, point=(0.0, 0.0, 1.0))
     tilt = Piece("direction", 0, 2, link=trunk, point=(0.0, 0.0, -1.0))
     level = reset_noise_scale
+    scan = [height_scan.piece(trunk, STAND)] if height_scan else []
     rough = [Term("row", "sum", Piece("row"), is_reward=False, at_reset=True)] if curriculum.rows else []
     return Task(
         [Piece("qvel", 0, 3, axes_of=trunk), Piece("qvel", 3, 3), down, Piece("command", 0, 3), Piece("qpos", 7, joints),
-         Piece("qvel", 6, joints, scale=0.1), Piece("action", 0, joints)],
+         Piece("qvel", 6, joints, scale=0.1), Piece("action", 0, joints), *scan],
         [Term("reward_tracking", "gaussian", forward, weight=tracking_weight, width=tracking_width),
          Term("reward_turning", "gaussian", Piece("qvel", 5, 1, command=2), weight=turning_weight, width=tracking_width),
          Term("reward_survive", "healthy", weight=healthy_reward),

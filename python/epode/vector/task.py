@@ -11,7 +11,7 @@ from typing import Any, Literal
 from ..batch import _PARAMETERS, _QUANTITIES
 
 Distribution = Sequence[Any]
-_SOURCES = ("quantity", "action", "point", "action_change", "command", "direction", "row")
+_SOURCES = ("quantity", "action", "point", "action_change", "command", "direction", "row", "height")
 _FUNCTIONS = (None, "sin", "cos")
 _KINDS = ("constant", "healthy", "rate", "sum", "squares", "length", "gaussian")
 
@@ -22,7 +22,8 @@ class Piece:
     clip(scale * (function(x) - offset), low, high); with ``minus`` less those from there on, with ``command`` less the commands from there
     on, with ``axes_of`` of a vector that begins at ``first``, in that link's axes. Of ``"point"`` they are the coordinates of a point of a
     link, of ``"direction"`` a direction of the world in the axes of a link, of ``"action_change"`` what the action differs by from the last
-    one, of ``"command"`` what the episode asks for, of ``"row"`` the row of the curriculum."""
+    one, of ``"command"`` what the episode asks for, of ``"row"`` the row of the curriculum, of ``"height"`` how high a link's origin is above
+    the ground at ``places`` around it, m, x where the link's x heads (``HeightScan``)."""
 
     quantity: str
     first: int = 0
@@ -37,12 +38,46 @@ class Piece:
     minus: int = -1
     command: int = -1
     axes_of: int = -1
+    places: Sequence[tuple[float, float]] = ()
 
     def _packed(self) -> tuple[Any, ...]:
         source = self.quantity if self.quantity in _SOURCES else "quantity"
         quantity = _QUANTITIES.index(self.quantity) if source == "quantity" else 0
         return (_SOURCES.index(source), quantity, self.first, self.count, _FUNCTIONS.index(self.function), float(self.offset),
-                float(self.scale), float(self.low), float(self.high), *map(float, self.point), self.link, self.minus, self.command, self.axes_of)
+                float(self.scale), float(self.low), float(self.high), *map(float, self.point), self.link, self.minus, self.command, self.axes_of,
+                tuple((float(x), float(y)) for x, y in self.places))
+
+
+@dataclass(frozen=True)
+class HeightScan:
+    """A grid of places around a robot, in rows along x, of which a task observes the heights: ``length`` along where the robot heads,
+    ``width`` across, ``spacing`` between places, m. Observed is how far the robot's base is above the ground there, less its height where
+    it stands: 0 on flat ground, 0.1 over a hole of 10 cm, within ``limit``, which it also is where there is no ground."""
+
+    length: float = 1.6
+    width: float = 1.0
+    spacing: float = 0.1
+    limit: float = 1.0
+
+    def __post_init__(self) -> None:
+        if not (0 < self.spacing < math.inf and 0 <= self.length < math.inf and 0 <= self.width < math.inf and 0 < self.limit < math.inf):
+            raise ValueError("height_scan: a length and a width of 0 or more, a spacing and a limit above 0 are expected")
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns of the grid: across, along."""
+        return round(self.width / self.spacing) + 1, round(self.length / self.spacing) + 1
+
+    @property
+    def places(self) -> list[tuple[float, float]]:
+        """From the robot's base, ahead and to the left; those of a row one after the other, the right row and what is behind first."""
+        rows, columns = self.shape
+        return [(self.spacing * (column - (columns - 1) / 2), self.spacing * (row - (rows - 1) / 2)) for row in range(rows) for column in range(columns)]
+
+    def piece(self, link: int, stand: float) -> Piece:
+        """Of a link that is so high where the robot stands."""
+        places = self.places
+        return Piece("height", 0, len(places), offset=stand, low=-self.limit, high=self.limit, link=link, places=places)
 
 
 @dataclass(frozen=True)
