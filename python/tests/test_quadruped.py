@@ -43,9 +43,9 @@ def test_observations_and_rewards_are_what_the_task_says():
             expected = np.concatenate([local, spin, down, command, s["qpos"][i, 7:], 0.1 * s["qvel"][i, 6:], actions[i]])
             assert abs(expected - observations[i]).max() < 1e-12 * (1 + abs(expected).max())
             upright = r[2, 2]
-            reward = (np.exp(-np.sum((local[:2] - command[:2])**2) / 0.25) + 0.5 * np.exp(-(spin[2] - command[2])**2 / 0.25)
-                      + 0.1 * (upright >= 0.5) - 2 * s["qvel"][i, 2]**2 - 0.05 * np.sum(spin[:2]**2) - 0.5 * np.sum(down[:2]**2)
-                      - 1e-4 * np.sum(s["qfrc_actuator"][i, 6:]**2) - 0.01 * np.sum((actions[i] - last[i])**2))
+            reward = (-0.5 * np.linalg.norm(local[:2] - command[:2]) + np.exp(-np.sum((local[:2] - command[:2])**2) / 0.25) + 0.5 * np.exp(-(spin[2] - command[2])**2 / 0.25)
+                      + 0.1 * (upright >= 0.5) - 0.5 * s["qvel"][i, 2]**2 - 0.01 * np.sum(spin[:2]**2) - 0.5 * np.sum(down[:2]**2)
+                      - 2e-5 * np.sum(s["qfrc_actuator"][i, 6:]**2) - 0.002 * np.sum((actions[i] - last[i])**2))
             assert abs(reward - rewards[i]) < 1e-12 * (1 + abs(reward))
             assert terminated[i] == (upright < 0.5)
             assert abs(infos["tracking_error"][i] - np.linalg.norm(local[:2] - command[:2])) < 1e-12

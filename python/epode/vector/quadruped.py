@@ -54,13 +54,13 @@ def rough_text() -> str:
 
 def quadruped(model: Model, *, frame_skip: int = 5, forward_range: Bounds = (-1.0, 1.0), sideways_range: Bounds = (-0.5, 0.5),
               turn_range: Bounds = (-1.0, 1.0), command_steps: int = 250, standing_share: float = 0.1, tracking_weight: float = 1.0,
-              turning_weight: float = 0.5, tracking_width: float = 0.25, healthy_reward: float = 0.1, vertical_cost_weight: float = 2.0,
-              tilting_cost_weight: float = 0.05, level_cost_weight: float = 0.5, torque_cost_weight: float = 1e-4,
-              action_rate_cost_weight: float = 0.01, healthy_upright: float = 0.5, reset_noise_scale: float = 0.05,
+              turning_weight: float = 0.5, tracking_width: float = 0.25, error_cost_weight: float = 0.5,
+              healthy_reward: float = 0.1, vertical_cost_weight: float = 0.5, tilting_cost_weight: float = 0.01, level_cost_weight: float = 0.5,
+              torque_cost_weight: float = 2e-5, action_rate_cost_weight: float = 0.002, healthy_upright: float = 0.5, reset_noise_scale: float = 0.05,
               height_scan: HeightScan | None = None, curriculum: Curriculum = Curriculum()) -> Task:
     """Goes at the speeds of its commands: forward, sideways, m/s, and turning, rad/s, in its own axes; they change every
     command_steps steps. Observed: those velocities, the direction of gravity in the trunk's axes, commands, joints, the last action, and
-    the ground of a height_scan."""
+    the ground of a height_scan. Far from a command reward_tracking has no slope that a learner could follow: reward_error has."""
     trunk, joints = model.link_names.index("trunk"), model.velocity_count - 6
     forward = Piece("qvel", 0, 2, axes_of=trunk, command=0)
     down = Piece("direction", 0, 3, link=trunk, point=(0.0, 0.0, -1.0))
@@ -74,6 +74,7 @@ def quadruped(model: Model, *, frame_skip: int = 5, forward_range: Bounds = (-1.
          Piece("qvel", 6, joints, scale=0.1), Piece("action", 0, joints), *scan],
         [Term("reward_tracking", "gaussian", forward, weight=tracking_weight, width=tracking_width),
          Term("reward_turning", "gaussian", Piece("qvel", 5, 1, command=2), weight=turning_weight, width=tracking_width),
+         Term("reward_error", "length", forward, weight=-error_cost_weight),
          Term("reward_survive", "healthy", weight=healthy_reward),
          Term("reward_vertical", "squares", Piece("qvel", 2, 1), weight=-vertical_cost_weight),
          Term("reward_tilting", "squares", Piece("qvel", 3, 2), weight=-tilting_cost_weight),
