@@ -103,6 +103,10 @@ class Settings:
     deviation: float = 0.6     # exp(s) at first
 
 
+# Of tasks that need others. A gait is found by what noise does alone, and its commands change all the time: more noise, shorter rounds.
+SETTINGS = {f"Epode/{name}-v0": Settings(steps=24, minibatches=4, divergence=0.02, deviation=1.0) for name in ("Quadruped", "RoughQuadruped")}
+
+
 @dataclass
 class Point:
     """Of the curve: after so many seconds and steps, the mean return of the last episodes."""
@@ -244,7 +248,7 @@ def main(name: str = "Epode/InvertedPendulum-v0", copies: int = 64, seconds: flo
          shown: bool = True, **options: Any) -> tuple[Learner, list[Point]]:
     """Learns; returns the learner and its curve."""
     env = gymnasium.make_vec(name, num_envs=copies, **options)
-    learner = Learner(env, seed)
+    learner = Learner(env, seed, SETTINGS.get(name))
     return learner, learner.learn(seconds, enough=enough, shown=shown)
 
 
