@@ -192,6 +192,8 @@ def test_scans_that_cannot_be_are_refused():
                            ("", "no ground")):
         with pytest.raises(ValueError, match=reason):
             vector("Quadruped", 1, xml_file=model_text(ground=ground), height_scan=scan)
+    with pytest.raises(TypeError, match="HeightScan is expected"):
+        vector("Quadruped", 1, height_scan=True)
     for wrong in ({"spacing": 0}, {"length": -1}, {"width": float("nan")}, {"limit": 0}, {"spacing": float("inf")}):
         with pytest.raises(ValueError, match="height_scan"):
             epode.vector.HeightScan(**wrong)

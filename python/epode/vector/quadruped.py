@@ -61,6 +61,8 @@ def quadruped(model: Model, *, frame_skip: int = 5, forward_range: Bounds = (-1.
     """Goes at the speeds of its commands: forward, sideways, m/s, and turning, rad/s, in its own axes; they change every
     command_steps steps. Observed: those velocities, the direction of gravity in the trunk's axes, commands, joints, the last action, and
     the ground of a height_scan. Far from a command reward_tracking has no slope that a learner could follow: reward_error has."""
+    if not isinstance(height_scan, HeightScan | None):
+        raise TypeError(f"height_scan {height_scan!r}: an epode.vector.HeightScan is expected")
     trunk, joints = model.link_names.index("trunk"), model.velocity_count - 6
     forward = Piece("qvel", 0, 2, axes_of=trunk, command=0)
     down = Piece("direction", 0, 3, link=trunk, point=(0.0, 0.0, -1.0))
