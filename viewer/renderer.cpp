@@ -56,7 +56,7 @@ struct Renderer::Passes {
     bool open(std::string& error);
     bool draw(const Picture& picture, std::string& error);
     bool read(std::vector<std::uint8_t>& rgb, std::string& error);
-    void show(GLuint framebuffer);
+    void show(GLuint framebuffer, int left);
 
     Image own[kTextures];  // given instead of ours
 
@@ -278,16 +278,17 @@ bool Renderer::Passes::read(std::vector<std::uint8_t>& rgb, std::string& error)
     return complete("to read the picture back", error);
 }
 
-void Renderer::Passes::show(GLuint framebuffer)
+void Renderer::Passes::show(GLuint framebuffer, int left)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, width_, height_);
+    glViewport(left, 0, width_, height_);
     glDisable(GL_FRAMEBUFFER_SRGB);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     bind(kCanvasUnit, GL_TEXTURE_2D, canvas_.color);
     glBindVertexArray(empty_);
     glUseProgram(show_);
+    glUniform1i(glGetUniformLocation(show_, "left"), left);
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
@@ -315,7 +316,7 @@ bool Renderer::draw(const Picture& picture, std::string& error)
     return check_picture(picture, error) && passes_->draw(picture, error);
 }
 bool Renderer::read(std::vector<std::uint8_t>& rgb, std::string& error) { return passes_->read(rgb, error); }
-void Renderer::show(unsigned framebuffer) { passes_->show(framebuffer); }
+void Renderer::show(unsigned framebuffer, int left) { passes_->show(framebuffer, left); }
 
 void Renderer::lay(unsigned framebuffer, const Panel& panel, int x, int y, int below)
 {

@@ -41,8 +41,8 @@ class Renderer {
     // The last picture: width * height * 3 bytes, rows from the top.
     bool read(std::vector<std::uint8_t>& rgb, std::string& error);
 
-    // Copies the last picture into the lower left corner of a framebuffer (0: the window's).
-    void show(unsigned framebuffer);
+    // Copies the last picture into a framebuffer (0: the window's), to its bottom, `left` pixels from its left side.
+    void show(unsigned framebuffer, int left = 0);
 
     // Lays an image over a framebuffer (0: the window's) that is `below` pixels high: its upper left corner goes x to the right and y
     // below the framebuffer's.

@@ -233,9 +233,10 @@ void main() {
 // From the canvas, which OpenGL decodes as it is read, to a window whose pixels are sRGB by habit.
 constexpr char kShowFragment[] = R"(
 uniform sampler2D canvas;
+uniform int left;
 out vec4 result;
 void main() {
-    vec3 c = texelFetch(canvas, ivec2(gl_FragCoord.xy), 0).rgb;
+    vec3 c = texelFetch(canvas, ivec2(gl_FragCoord.xy) - ivec2(left, 0), 0).rgb;
     result = vec4(mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)), 1.0);
 }
 )";

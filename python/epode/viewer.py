@@ -158,7 +158,7 @@ class Window:
 
     def look_at_all(self) -> None:
         """Move the eye to where the whole state is in sight."""
-        width, height = self._size()
+        _, width, height = self._scene()
         self.camera = None
         self.eye, self.target = _c._camera(self._film._data, self._shown, width / height)
 
@@ -173,6 +173,17 @@ class Window:
     def _size(self) -> tuple[int, int]:
         width, height = self._glfw.get_framebuffer_size(self._window)
         return min(max(width, 1), 4096), min(max(height, 1), 4096)
+
+    def _scene(self) -> tuple[int, int, int]:
+        """What the panel leaves free: where it begins, its width and its height, pixels."""
+        width, height = self._size()
+        left = WIDTH if self._has_panel else 0
+        return left, width - left, height
+
+    def _ray(self, sight: Sight, x: float, y: float) -> FloatArray:
+        """The direction through a pixel of the window."""
+        left, width, height = self._scene()
+        return sight.ray(x - left, y, width, height)
 
     def draw(self) -> bool:
         """Show the state now; returns ``is_open``."""
@@ -190,9 +201,9 @@ class Window:
         return self.is_open
 
     def _paint(self) -> None:
-        width, height = self._size()
+        left, width, height = self._scene()
         sight = self._sight()
-        self._painter.draw(self._film._data, self._shown, width, height, sight.eye, sight.target, sight.up, sight.field, self._lines())
+        self._painter.draw(self._film._data, self._shown, width, height, sight.eye, sight.target, sight.up, sight.field, self._lines(), left)
         if self._has_panel:
             self._make_rows()
             pixels = self._panel.pixels(height)
@@ -355,7 +366,7 @@ class Window:
         """Pull or push what is under the pointer."""
         assert not isinstance(self._subject, Recording)
         sight = self._sight()
-        way = sight.ray(x, y, *self._size())
+        way = self._ray(sight, x, y)
         found = pick(self._subject, sight.eye, way)
         if found is None:
             self.note = "nothing that moves is there"
@@ -381,7 +392,7 @@ class Window:
         elif self._grip == "hand" and self._hand is not None:
             sight = self._sight()
             depth = float((self._hand.goal - sight.eye) @ sight.axes()[2])
-            way = sight.ray(x, y, *self._size())
+            way = self._ray(sight, x, y)
             self._hand.goal = sight.eye + depth / float(way @ sight.axes()[2]) * way
         elif self._grip and (dx or dy):
             self._leave_camera()

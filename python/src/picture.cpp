@@ -61,8 +61,9 @@ class Painter {
         if (!renderer_->open(problem)) fail(problem);
     }
 
+    // Into the window, `left` pixels from its left side.
     void draw(const WorldRecording& from, size_t state, int width, int height, const View& view,
-              const nb::bytes& lines)
+              const nb::bytes& lines, int left)
     {
         if (state >= from.recording.steps.size()) throw nb::index_error("there is no such state");
         Studio studio(from.recording, state);
@@ -74,7 +75,7 @@ class Painter {
         std::string problem;
         if (!viewer::check_picture(studio.picture, problem) || !renderer_->draw(studio.picture, problem))
             fail(problem);
-        renderer_->show(0);
+        renderer_->show(0, left);
     }
 
     // An image of rows from the top over the window, which is `below` pixels high, from x to the right and y down on.
@@ -140,11 +141,11 @@ void bind_picture(nb::module_& m)
         .def(
             "draw",
             [](Painter& its, const WorldRecording& from, size_t state, int width, int height, nb::object eye,
-               nb::object target, nb::object up, double field, const nb::bytes& lines) {
-                its.draw(from, state, width, height, {eye, target, up, field}, lines);
+               nb::object target, nb::object up, double field, const nb::bytes& lines, int left) {
+                its.draw(from, state, width, height, {eye, target, up, field}, lines, left);
             },
             "recording"_a, "state"_a, "width"_a, "height"_a, "eye"_a.none(), "target"_a.none(),
-            "up"_a.none() = nb::none(), "field"_a = 0.0, "lines"_a = nb::bytes("", 0))
+            "up"_a.none() = nb::none(), "field"_a = 0.0, "lines"_a = nb::bytes("", 0), "left"_a = 0)
         .def("lay", &Painter::lay, "pixels"_a, "width"_a, "height"_a, "x"_a, "y"_a, "below"_a)
         .def("close", &Painter::close);
     m.def("_camera", camera, "recording"_a, "state"_a, "aspect"_a);
