@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import collections
+import itertools
 import os
 import time
 import typing
@@ -17,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _c, c
 from ._assembly import Assembly, assemble
 from ._handle import FloatArray, Object, Value, flag, put_settings, reads_and_sets, share, three
+from ._portions import portions
 from ._robot_states import joined, numbers_of, set_numbers, split
 from ._structure import Description, Past, Structure
 from .body import Bodies, Body
@@ -503,6 +505,13 @@ class World(Object):
             if self._past is not None:
                 self._remember(1)
 
+    def _note_steps(self, h: float, count: int) -> None:
+        """So many steps have been made elsewhere: for what records and what takes them back."""
+        if count > 0 and self._recording is not None:
+            self._recording._take(h * count, 0.0)
+        if count > 0 and self._past is not None:
+            self._remember(count)
+
     def collide(self, near: Callable[[Geom, Geom], typing.Any]) -> None:
         """Call near(geom1, geom2) for pairs of geoms whose boxes touch. The first exception is raised at the end."""
         geoms = self._geoms
@@ -855,16 +864,15 @@ def step_worlds(worlds: Sequence[World], h: float, *, stepper: str = "hybrid", s
     acting = [robot for world in worlds for robot in world._robots if robot._is_acting]
     sensing = [robot for world in worlds for robot in world._robots if robot._is_sensing]
     made, handles = [0] * len(worlds), [w._handle for w in worlds]
-    for count in [1] * steps if acting or sensing else [steps]:  # what acts on such robots is taken before each step
-        for robot in acting:
-            robot._act(h)
-        done = c.dWorldsStep(handles, h, _STEPPERS[stepper], substeps, count, threads)
-        for robot in sensing:
-            robot._sense(h)
-        made = [was + more for was, more in zip(made, done)]
-    for world, count in zip(worlds, made):
-        if world._recording is not None:
-            world._recording._take(h * count, 0.0)
-        if world._past is not None:
-            world._remember(count)
+    try:
+        for count in itertools.repeat(1, steps) if acting or sensing else portions(steps):  # what acts on such robots is taken before each step
+            for robot in acting:
+                robot._act(h)
+            done = c.dWorldsStep(handles, h, _STEPPERS[stepper], substeps, count, threads)
+            made = [was + more for was, more in zip(made, done)]
+            for robot in sensing:
+                robot._sense(h)
+    finally:
+        for world, count in zip(worlds, made):
+            world._note_steps(h, count)
     return made

@@ -7,13 +7,13 @@
 
 #ifdef EPODE_HAVE_ROBOTS
 
+#include "portions.h"
+
 using namespace bound;
 using epode::batch::Parameter;
 using epode::batch::Quantity;
 
 namespace {
-
-constexpr int kCopyStepsBetweenSignals = 1 << 18;
 
 double option(const nb::dict& options, const char* name, double low, double high)
 {
@@ -148,16 +148,16 @@ void step(BoundBatch& b, int steps)
 {
     if (steps < 0) throw nb::value_error("0 steps or more are expected");
     const Use use(b);
-    const int chunk = std::max(1, kCopyStepsBetweenSignals / b.its().copies());
-    for (int done = 0; done == 0 || done < steps; done += chunk) {
+    Portions portions(steps);
+    do {  // once for no steps too: what was bound is read
         bool good;
         {
             const WithoutGil released;
-            good = b.its().step(std::min(chunk, steps - done));
+            good = b.its().step(portions.next());
         }
         if (!good) throw nb::value_error(kFinite);
         if (PyErr_CheckSignals() != 0) throw nb::python_error();
-    }
+    } while (portions.left() > 0);
 }
 
 void reset(BoundBatch& b, nb::object mask)

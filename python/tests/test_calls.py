@@ -68,7 +68,7 @@ def test_a_callback_of_the_program_is_where_its_call_begins():
 @pytest.mark.parametrize("program", [
     "world.gravity = 5", "world.gravity = [0, 0]", "body.position = [1, 2]", "body.velocity = 3", "body.add_force([1, 2])", "joint.anchor = (1, 2)",
     "world.body(mass=-1)", "world.body(mass=0, shape=epode.Sphere(1))", "body.mass = -1", "joint.stops = (2, 1)", "joint.motor(1, -1)",
-    "epode.step_worlds([world], 0.1, steps=-1)", "world.plane(normal=(0, 0, 0))", "world.plane(normal=(0, 1))", "world.couple()"])
+    "epode.step_worlds([world], 0.1, steps=-1)", "world.step(0.1, steps=-5)", "world.plane(normal=(0, 0, 0))", "world.plane(normal=(0, 1))", "world.couple()"])
 def test_wrong_values_are_refused_without_a_word_of_c(program, recwarn):
     with epode.World() as world:
         body = world.body(mass=1, position=(0, 0, 1), shape=epode.Box(0.1, 0.1, 0.1))
