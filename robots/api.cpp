@@ -393,7 +393,9 @@ dRobotID dRobotCreate(dWorldID world, dSpaceID space, dRobotModelID model, const
         if (!model->prepared) {
             model->prepared = std::make_shared<const epode::robots::Prepared>(model->model);
             for (const std::string& text : epode::robots::Robot::not_built(model->model))
-                dMessage(d_ERR_UNKNOWN, "robot %s: %s", model->model.name.c_str(), text.c_str());
+                dMessage(d_ERR_UNKNOWN, "robot %s: %s",
+                         (model->model.name.empty() ? model->model.path : model->model.name).c_str(),
+                         text.c_str());
         }
         Pose pose;
         if (position) pose.p = {double(position[0]), double(position[1]), double(position[2])};

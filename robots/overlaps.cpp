@@ -119,8 +119,8 @@ void Prepared::find_overlapping()
             dMessage(d_ERR_UNKNOWN,
                      "robot %s: links '%s' and '%s' overlap wherever the joints are, and do not touch: "
                      "exclude the pair",
-                     model_.name.c_str(), model_.links[size_t(one)].name.c_str(),
-                     model_.links[size_t(two)].name.c_str());
+                     (model_.name.empty() ? model_.path : model_.name).c_str(),
+                     model_.links[size_t(one)].name.c_str(), model_.links[size_t(two)].name.c_str());
 }
 
 }  // namespace epode::robots

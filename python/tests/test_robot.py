@@ -334,6 +334,44 @@ def test_states_have_the_controls_and_targets_of_robots(joint, defaults):
         assert robot.controls.tolist() == [3.0]
 
 
+URDF_ARM = """<robot name="arm"><link name="world"/>
+<link name="upper"><inertial><origin xyz="0.2 0 0"/><mass value="2"/><inertia ixx=".01" iyy=".03" izz=".03" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<link name="fore"><inertial><origin xyz="0.2 0 0"/><mass value="1"/><inertia ixx=".01" iyy=".02" izz=".02" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="shoulder" type="revolute"><parent link="world"/><child link="upper"/><origin xyz="0 0 1"/><axis xyz="0 1 0"/>
+<limit effort="30" velocity="9" lower="-3" upper="3"/></joint>
+<joint name="elbow" type="continuous"><parent link="upper"/><child link="fore"/><origin xyz="0.4 0 0"/><axis xyz="0 1 0"/></joint></robot>"""
+
+
+def test_a_urdf_without_transmissions_has_a_motor_on_each_joint():
+    """Most files have none; their joints are moved all the same, by forces within the joint's effort."""
+    model = epode.robot.from_text(URDF_ARM, "arm.urdf")
+    assert [its.name for its in model.actuators] == ["shoulder", "elbow"] and model.actuators[0].kind == "motor"
+    robot = model.build(start=[0.3, 0.4])
+    robot.controls = model.gravity_forces(robot.positions)
+    robot.world.step(0.002, steps=100)
+    np.testing.assert_allclose(robot.positions, [0.3, 0.4], atol=1e-3)
+    robot = model.build(epode.World(gravity=(0, 0, 0)))
+    robot.control("shoulder", 1000)  # no more than its effort
+    robot.world.step(0.001)
+    np.testing.assert_allclose(robot.velocities, np.linalg.solve(model.mass_matrix([0, 0]), [30, 0]) * 0.001, rtol=0.02)
+
+
+def test_a_servo_within_a_force_limit_works_against_friction():
+    """From 1.16 rad 100 N m pull against 60 N m of friction; near the target friction holds what is pulled by less than that."""
+    text = ("<mujoco><option gravity='0 0 0'/><worldbody><body><joint name='j' axis='0 1 0' frictionloss='60'/><geom type='sphere' size='.1' pos='.3 0 0' "
+            "mass='3'/></body></worldbody><actuator><position joint='j' kp='800' forcerange='-100 100'/></actuator></mujoco>")
+    model = epode.robot.from_text(text)
+    inertia, h = model.mass_matrix([0.0])[0, 0], 1e-4
+    robot = model.build(epode.World(gravity=(0, 0, 0), defaults="robot"), start=[1.16])
+    robot.controls = [0.0]
+    for t in (0.05, 0.1):
+        robot.world.step(h, steps=500)
+        assert robot.velocities[0] == pytest.approx(-40 / inertia * t, rel=1e-6)
+        assert robot.positions[0] == pytest.approx(1.16 - 20 / inertia * t * t, abs=1e-3)
+    robot.world.step(h, steps=2500)
+    assert abs(800 * robot.positions[0]) <= 60 and robot.velocities[0] == pytest.approx(0, abs=1e-9)
+
+
 def test_steps_taken_back_take_controls_back():
     robot = epode.robot.from_text(MOTOR.format("axis='0 1 0'")).build()
     world = robot.world

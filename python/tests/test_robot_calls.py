@@ -281,3 +281,20 @@ def test_a_hinge_counts_its_turns_with_stops_and_without():
     robot.world.step(0.001, steps=500)
     assert robot.positions == pytest.approx([20], abs=0.03)
     assert joint.position() == pytest.approx(robot.positions[0])
+
+
+@pytest.mark.parametrize("preset", ["robot", "game"])
+def test_the_first_step_accelerates_as_the_equation_of_motion_says(preset):
+    """Velocities that the program sets are those of the next step, gyroscopic and centrifugal parts too: nothing lags."""
+    model = epode.robot.from_text("""<mujoco><option gravity='0 0 0'/><worldbody><body><freejoint/><inertial pos='0 0 0' mass='3' diaginertia='.1 .2 .15'/>
+<body><joint axis='0 0 1'/><inertial pos='.2 0 0' mass='2' diaginertia='.01 .02 .025'/><body pos='.4 0 0'><joint axis='0 1 0'/>
+<inertial pos='.1 0 .05' mass='1' diaginertia='.01 .012 .015'/></body></body></body></worldbody></mujoco>""")
+    h = 1e-4
+    robot = model.build(epode.World(gravity=(0, 0, 0), defaults=preset))
+    robot.positions = [0, 0, 0, 1, 0, 0, 0, 0.3, 0.5]
+    robot.velocities = [1, -2, 3, 2, -3, 1, 4, -3]
+    for _ in range(3):
+        q, v = robot.positions, robot.velocities
+        wanted = -np.linalg.solve(model.mass_matrix(q), model.inverse_dynamics(q, v))
+        robot.world.step(h)
+        np.testing.assert_allclose((robot.velocities - v) / h, wanted, atol=2e-3 * np.abs(wanted).max())

@@ -80,4 +80,19 @@ int Reading::mesh(const Place& where, const MeshFile& wanted)
     return it->second;
 }
 
+void Reading::add_motor(int joint, const std::string& name, int line)
+{
+    Actuator motor;
+    motor.kind = "motor", motor.joint = joint, motor.line = line, motor.name = name;
+    const double largest = model.joints[size_t(joint)].max_force;
+    if (largest > 0) motor.force_low = -largest, motor.force_high = largest;
+    model.actuators.push_back(motor);
+}
+
+void Reading::add_motors()
+{
+    for (size_t i = 0; i < model.joints.size(); ++i)
+        if (model.joints[i].is_scalar()) add_motor(int(i), model.joints[i].name, model.joints[i].line);
+}
+
 }  // namespace epode::robots

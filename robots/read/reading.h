@@ -53,6 +53,11 @@ class Reading {
 
     int mesh(const Place& where, const MeshFile& file);
 
+    // A motor on a joint with an axis, within its largest force: the control is the force.
+    void add_motor(int joint, const std::string& name, int line);
+    // One on each joint with an axis, in their order, called as the joint.
+    void add_motors();
+
     static std::string too_many_links() { return "more than " + std::to_string(kMaxLinks) + " links"; }
 
     RobotModel& model;

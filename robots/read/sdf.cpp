@@ -505,6 +505,7 @@ void Sdf::read(const sdf::Root& root)
     if (model_.has_errors()) return;
     close_loops();
     add_frames();
+    reading_.add_motors();
 }
 
 void Sdf::close_loops()

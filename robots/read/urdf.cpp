@@ -355,9 +355,11 @@ void Urdf::read_mimics()
     }
 }
 
-// A transmission names a joint that has a motor: its force in N or N m is the control.
+// A transmission names a joint that has a motor: its force in N or N m is the control. A file without any, as most are, says nothing
+// of motors: all joints have one.
 void Urdf::read_transmissions()
 {
+    if (robot_.children("transmission").empty()) return reading_.add_motors();
     for (const Element& transmission : robot_.children("transmission"))
         for (const Element& its : transmission.children("joint")) {
             const int joint = model_.joint_named(its.text("name"));
@@ -366,12 +368,7 @@ void Urdf::read_transmissions()
                               "a transmission of '" + its.text("name") + "', which has no axis");
                 continue;
             }
-            Actuator motor;
-            motor.kind = "motor", motor.joint = joint, motor.line = its.line();
-            motor.name = its.text("name");
-            const double largest = model_.joints[size_t(joint)].max_force;
-            if (largest > 0) motor.force_low = -largest, motor.force_high = largest;
-            model_.actuators.push_back(motor);
+            reading_.add_motor(joint, its.text("name"), its.line());
         }
 }
 

@@ -61,6 +61,33 @@ TEST(Urdf, reads_limits_dynamics_mimic_and_transmission)
     EXPECT_EQ(model.actuators[0].name, "elbow");
 }
 
+// A file without <transmission> says nothing of motors: each joint with an axis has one, within its effort.
+TEST(Urdf, has_a_motor_on_each_joint_where_it_names_no_transmission)
+{
+    const std::string link =
+        "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' "
+        "iyz='0'/></inertial></link>";
+    const std::string text = "<robot name='r'><link name='world'/><link name='a'>" + link +
+                             "<link name='b'>" + link + "<link name='c'>" + link +
+                             "<joint name='shoulder' type='revolute'><parent link='world'/><child "
+                             "link='a'/><limit effort='30' velocity='1' lower='-1' upper='1'/></joint>"
+                             "<joint name='lift' type='prismatic'><parent link='a'/><child link='b'/><limit "
+                             "effort='0' velocity='1' lower='-1' upper='1'/></joint>"
+                             "<joint name='finger' type='continuous'><parent link='b'/><child "
+                             "link='c'/><mimic joint='shoulder'/></joint></robot>";
+    const RobotModel model = load_robot_text("r.urdf", text);
+    ASSERT_FALSE(model.has_errors()) << report_of(model);
+    ASSERT_EQ(model.actuators.size(), 3u);
+    for (size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(model.actuators[i].kind, "motor");
+        EXPECT_EQ(model.actuators[i].joint, int(i));
+        EXPECT_EQ(model.actuators[i].name, model.joints[i].name);
+    }
+    EXPECT_EQ(model.actuators[0].force_low, -30);
+    EXPECT_EQ(model.actuators[0].force_high, 30);
+    EXPECT_GT(model.actuators[1].force_high, 1e6);
+}
+
 TEST(Urdf, reports_what_it_leaves_out_with_its_line)
 {
     const RobotModel model = load_robot(kModels + "/arm.urdf");
