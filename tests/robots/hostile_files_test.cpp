@@ -12,6 +12,7 @@
 #include <random>
 
 #include "glb_files.h"
+#include "mutate.h"
 #include "png_files.h"
 #include "robots/build.h"
 #include "robots/load.h"
@@ -288,36 +289,6 @@ std::string contents_of(const std::string& path)
 {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
-}
-
-// Bytes changed, pieces cut out, copied and put elsewhere, numbers made absurd.
-std::string mutated(std::string text, std::mt19937& random)
-{
-    static const char* const absurd[] = {"1e308",  "-1e308",       "nan", "inf", "0",  "-1",
-                                         "1e-320", "999999999999", "\"",  "<",   "--", ""};
-    const auto below = [&](size_t n) { return n ? random() % n : 0; };
-    for (size_t i = 0, count = 1 + below(4); i < count && !text.empty(); ++i) {
-        const size_t at = below(text.size()), size = 1 + below(std::min<size_t>(200, text.size() - at));
-        switch (below(5)) {
-            case 0:
-                text[at] = char(random());
-                break;
-            case 1:
-                text.erase(at, size);
-                break;
-            case 2:
-                text.insert(below(text.size()), text.substr(at, size));
-                break;
-            case 3:
-                text.replace(at, std::min<size_t>(size, 4), absurd[below(std::size(absurd))]);
-                break;
-            default: {
-                const size_t digit = text.find_first_of("0123456789", at);
-                if (digit != std::string::npos) text.replace(digit, 1, absurd[below(std::size(absurd))]);
-            }
-        }
-    }
-    return text;
 }
 
 void ignore_message(int, const char*, va_list) {}
