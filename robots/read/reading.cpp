@@ -4,6 +4,8 @@
 // See reading.h.
 #include "robots/read/reading.h"
 
+#include <algorithm>
+
 #include "robots/meshes/meshes.h"
 
 namespace epode::robots {
@@ -91,8 +93,14 @@ void Reading::add_motor(int joint, const std::string& name, int line)
 
 void Reading::add_motors()
 {
+    const auto follows = [&](int joint) {
+        return std::any_of(model.couplings.begin(), model.couplings.end(), [&](const Coupling& coupling) {
+            return !coupling.terms.empty() && coupling.terms.front().joint == joint;
+        });
+    };
     for (size_t i = 0; i < model.joints.size(); ++i)
-        if (model.joints[i].is_scalar()) add_motor(int(i), model.joints[i].name, model.joints[i].line);
+        if (model.joints[i].is_scalar() && !follows(int(i)))
+            add_motor(int(i), model.joints[i].name, model.joints[i].line);
 }
 
 }  // namespace epode::robots

@@ -55,7 +55,7 @@ class Reading {
 
     // A motor on a joint with an axis, within its largest force: the control is the force.
     void add_motor(int joint, const std::string& name, int line);
-    // One on each joint with an axis, in their order, called as the joint.
+    // One on each joint with an axis that follows no other, in their order, called as the joint.
     void add_motors();
 
     static std::string too_many_links() { return "more than " + std::to_string(kMaxLinks) + " links"; }

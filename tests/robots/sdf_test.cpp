@@ -107,7 +107,7 @@ TEST(Sdf, a_file_has_all_that_its_text_says)
     EXPECT_EQ(model.links.size(), 7u);
     EXPECT_EQ(model.coordinates, 7 + 1 + 1 + 1 + 2 + 4);
     EXPECT_EQ(model.closures.size(), 2u);
-    EXPECT_EQ(model.actuators.size(), 5u);  // a motor on each axis
+    EXPECT_EQ(model.actuators.size(), 4u);  // a motor on each axis but the gear's
     const Link& base = model.links[size_t(model.link_named("base"))];
     ASSERT_EQ(base.shapes.size(), 2u);
     EXPECT_EQ(base.shapes[0].friction, 0.7);
