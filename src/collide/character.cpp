@@ -162,9 +162,12 @@ void add_shape_of_character(const Geom& geom, ContentHash& hash)
 void state_of_character(Geom& geom, StateStream& stream)
 {
     Character c = *geom.character;
-    stream.reals(&c.settings.height, 1);
-    each_vector(c, [&](Vec3& v) { stream.reals(&v.x, 3); });
-    stream.reals(&c.turn, 1), stream.reals(&c.climbed, 1), stream.reals(&c.overlap, 1);
+    {
+        const StateStream::IntoCopies into(stream);
+        stream.reals(&c.settings.height, 1);
+        each_vector(c, [&](Vec3& v) { stream.reals(&v.x, 3); });
+        stream.reals(&c.turn, 1), stream.reals(&c.climbed, 1), stream.reals(&c.overlap, 1);
+    }
     const std::uint32_t bits =
         stream.word(std::uint32_t(c.state) | std::uint32_t(c.hit_wall) << 4 |
                     std::uint32_t(c.hit_ceiling) << 5 | std::uint32_t(c.launched) << 6);

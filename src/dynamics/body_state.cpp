@@ -8,6 +8,7 @@
 #include "base/streams/little_endian.h"
 #include "dynamics/active.h"
 #include "dynamics/sleep/sleeping_forces.h"
+#include "math/rotation.h"
 
 namespace epode {
 namespace {
@@ -190,20 +191,7 @@ void forget_watch(Body& body, const UsualCounts& usual)
     body.settling_time = 0;
 }
 
-// Of what a state brings. A contact's normal is that of the state, turned by R: together they stay within what a step allows (1e-3).
-constexpr Real kUnitTolerance = Real(1e-4);
-
 bool is_unit(const Quat& q) { return std::fabs(q.w * q.w + length2(q.vec()) - 1) < kUnitTolerance; }
-
-bool is_rotation(const Real* R)
-{
-    const Mat3 m = load_mat(R), product = m * transpose(m);
-    Real error = 0;
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            error = std::max(error, std::fabs(product.row(row)[column] - Real(row == column)));
-    return error < kUnitTolerance;
-}
 
 constexpr const char* kNoUnit = "an orientation of the state is no unit quaternion";
 
@@ -214,7 +202,8 @@ struct Orientation {
 bool is_sound(const Orientation& o, std::uint16_t bits, StateStream& stream)
 {
     return stream.demand(is_unit(load_quat(o.q)), kNoUnit) &&
-           (!(bits & kMatrix) || stream.demand(is_rotation(o.R), "a matrix of the state is no rotation"));
+           (!(bits & kMatrix) || stream.demand(is_rotation(load_mat(o.R), kUnitTolerance),
+                                               "a matrix of the state is no rotation"));
 }
 
 // What is loaded goes through a copy, to be judged as a whole.
@@ -222,11 +211,11 @@ void orientation(Body& body, std::uint16_t bits, StateStream& stream)
 {
     Orientation o{};
     std::memcpy(o.q, body.q, sizeof o.q), std::memcpy(o.R, body.R, sizeof o.R);
-    const StateStream::Mode mode = stream.mode();
-    stream.set_mode(StateStream::Mode::kRead);
-    stream.reals(o.q, 4);
-    for (int row = 0; (bits & kMatrix) && row < 3; ++row) stream.reals(o.R + 4 * row, 3);
-    stream.set_mode(mode);
+    {
+        const StateStream::IntoCopies into(stream);
+        stream.reals(o.q, 4);
+        for (int row = 0; (bits & kMatrix) && row < 3; ++row) stream.reals(o.R + 4 * row, 3);
+    }
     if (stream.failed() || (!stream.is_checked() && !is_sound(o, bits, stream)) || !stream.stores()) return;
     if (!(bits & kMatrix)) store_mat(o.R, to_matrix(load_quat(o.q)));
     std::memcpy(body.q, o.q, sizeof o.q), std::memcpy(body.R, o.R, sizeof o.R);

@@ -15,6 +15,10 @@
 
 namespace epode {
 
+// Of orientations that a state brings. A contact's normal is that of the state, turned by R: together they stay within what a step
+// allows (1e-3).
+inline constexpr Real kUnitTolerance = Real(1e-4);
+
 // Writes the numbers of a body. Returns the bits from which load_state() knows which there are.
 std::uint16_t save_state(Body& body, StateStream& stream);
 

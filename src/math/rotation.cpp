@@ -69,15 +69,16 @@ bool orthonormalize(Mat3& R)
     return true;
 }
 
-bool make_rotation(Mat3& R)
+bool is_rotation(const Mat3& R, Real tolerance)
 {
-    constexpr Real kTolerance = kSingle ? Real(1e-5) : Real(1e-6);
     const Mat3 product = R * transpose(R);
     Real error = 0;
     for (int row = 0; row < 3; ++row)
         for (int k = 0; k < 3; ++k) error = std::max(error, std::fabs(product.row(row)[k] - Real(row == k)));
-    return (error < kTolerance && dot(cross(R.row0, R.row1), R.row2) > 0) || orthonormalize(R);
+    return error < tolerance && dot(cross(R.row0, R.row1), R.row2) > 0;
 }
+
+bool make_rotation(Mat3& R) { return is_rotation(R, kSingle ? Real(1e-5) : Real(1e-6)) || orthonormalize(R); }
 
 Quat rate_of(Quat q, Vec3 w)
 {

@@ -26,7 +26,10 @@ bool rotation_from_z_axis(Vec3 n, Mat3& R);
 // reflection does not survive. False and R untouched for degenerate rows.
 bool orthonormalize(Mat3& R);
 
-// The same for what a program gives as a rotation: one that is, up to rounding in single precision, stays as it is.
+// Whether its rows are orthonormal, each product within the tolerance, and it is no reflection.
+bool is_rotation(const Mat3& R, Real tolerance);
+
+// Orthonormalises what a program gives as a rotation: one that is, up to rounding in single precision, stays as it is.
 bool make_rotation(Mat3& R);
 
 // dq/dt of an orientation q that turns with w, given in the world: (0, w) q / 2.

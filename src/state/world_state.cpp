@@ -14,6 +14,7 @@
 #include "dynamics/forces/fluid.h"
 #include "dynamics/forces/vehicle.h"
 #include "dynamics/joint_state.h"
+#include "math/rotation.h"
 #include "step/common/link.h"
 
 namespace epode {
@@ -328,18 +329,31 @@ void WorldState::visit_geom(Geom& geom, std::uint8_t bits, StateStream& stream)
         note_rules_changed(geom);
     }
     if (geom.character) visit_character(geom, stream);
-    if (!posed) return;
+    if (posed) visit_pose(geom, stream);
+}
+
+// What is loaded goes through a copy, to be judged as a whole.
+void WorldState::visit_pose(Geom& geom, StateStream& stream)
+{
     Real pose[12];
     std::memcpy(pose, geom.own_position, 3 * sizeof(Real));
     for (int row = 0; row < 3; ++row)
         std::memcpy(pose + 3 + 3 * row, geom.own_rotation + 4 * row, 3 * sizeof(Real));
     Real before[12];
     std::memcpy(before, pose, sizeof pose);
-    stream.reals(pose, 12);
-    if (!stream.stores() || std::memcmp(before, pose, sizeof pose) == 0) return;
+    {
+        const StateStream::IntoCopies into(stream);
+        stream.reals(pose, 12);
+    }
+    if (stream.saves() || stream.failed() || std::memcmp(before, pose, sizeof pose) == 0) return;
+    const Mat3 R{{pose[3], pose[4], pose[5]}, {pose[6], pose[7], pose[8]}, {pose[9], pose[10], pose[11]}};
+    if (!stream.is_checked() &&
+        !stream.demand(is_rotation(R, kUnitTolerance),
+                       "a geom of the state is turned by a matrix that is no rotation"))
+        return;
+    if (!stream.stores()) return;
     std::memcpy(geom.own_position, pose, 3 * sizeof(Real));
-    for (int row = 0; row < 3; ++row)
-        std::memcpy(geom.own_rotation + 4 * row, pose + 3 + 3 * row, 3 * sizeof(Real));
+    store_mat(geom.own_rotation, R);
     mark_moved(geom);
 }
 

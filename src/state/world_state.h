@@ -72,6 +72,7 @@ class WorldState {
     void load_bodies(StateStream& stream, const std::byte* bits);
     void load_joints(StateStream& stream, const std::byte* bits);
     void visit_geom(Geom& geom, std::uint8_t bits, StateStream& stream);
+    void visit_pose(Geom& geom, StateStream& stream);
     bool has_characters() const;
     void visit_character(Geom& geom, StateStream& stream);
     int count_vehicles() const;

@@ -91,6 +91,47 @@ TEST(StateRefusals, an_orientation_that_is_nearly_of_unit_length)
     expect_refused(scene, state, "no unit quaternion");
 }
 
+// Puts other numbers in the place of those.
+void replace(Bytes& state, const std::vector<dReal>& numbers, const std::vector<dReal>& others)
+{
+    const auto* const bytes = reinterpret_cast<const unsigned char*>(numbers.data());
+    const auto at = std::search(state.begin(), state.end(), bytes, bytes + numbers.size() * sizeof(dReal));
+    ASSERT_NE(at, state.end());
+    std::copy_n(reinterpret_cast<const unsigned char*>(others.data()), others.size() * sizeof(dReal), at);
+    seal(state);
+}
+
+// Found by mutations of states: normals of length 3 and depths of 10 m, with the words that a setter of a rotation refuses.
+TEST(StateRefusals, a_geom_that_is_turned_by_no_rotation)
+{
+    const Messages messages;
+    const Scene scene({.piles = 1});
+    dMatrix3 R;
+    dRFromAxisAndAngle(R, 1, 2, 3, dReal(0.7));
+    dGeomSetRotation(scene.grounds[1], R);
+    for (const dReal times : {dReal(1.4), dReal(-1)}) {  // longer; a reflection
+        Bytes state = scene.save();
+        replace(state, {R[0], R[1], R[2]}, {times * R[0], times * R[1], times * R[2]});
+        expect_refused(scene, state, "turned by a matrix that is no rotation");
+    }
+}
+
+// The height was judged before it was read; where it was read it was too late to refuse, and the rest of the state was lost.
+TEST(StateRefusals, a_character_of_no_height)
+{
+    const Messages messages;
+    const Scene scene({.piles = 1});
+    dCharacterSettings settings;
+    dCharacterSettingsInit(&settings, sizeof settings);
+    settings.height = dReal(1.7345);
+    dCharacterCreate(scene.space, &settings);
+    for (const dReal height : {dReal(-1), dReal(0), dReal(1e9)}) {
+        Bytes state = scene.save();
+        replace(state, {settings.height}, {height});
+        expect_refused(scene, state, "a state or a height that it cannot have");
+    }
+}
+
 void try_in_step(dBodyID body)
 {
     const dWorldID world = dBodyGetWorld(body);

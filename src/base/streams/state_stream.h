@@ -125,6 +125,22 @@ class StateStream : public FirstFault {
     // saved: only unusual numbers take space.
     std::uint32_t unusual(std::initializer_list<Number> numbers, std::uint32_t bits = 0);
 
+    // While it lives, what is checked is stored, too: the values are copies, to be judged as a whole.
+    class IntoCopies {
+      public:
+        explicit IntoCopies(StateStream& stream) : stream_(stream), mode_(stream.mode_)
+        {
+            if (!stream.saves()) stream.mode_ = Mode::kRead;
+        }
+        ~IntoCopies() { stream_.mode_ = mode_; }
+        IntoCopies(const IntoCopies&) = delete;
+        IntoCopies& operator=(const IntoCopies&) = delete;
+
+      private:
+        StateStream& stream_;
+        const Mode mode_;
+    };
+
   private:
     void number(const Number& n);
     template <typename T>
