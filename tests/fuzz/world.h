@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // A small world with much of what states and files have: a pile on a plane and a mesh, most of it at rest, a
-// hinge with a drive, a slider with a motor, a coupling. With contacts of its own, or in ODE's way.
+// hinge with a drive, a slider with a motor, a coupling; a character that walks, water. With contacts of its own, or in ODE's way.
 #pragma once
 
 #include "seal.h"
@@ -14,9 +14,12 @@ struct World {
     dSpaceID space;
     dJointGroupID contacts;
     bool world_contacts;
+    dGeomID character = nullptr;
 
     void step() const
     {
+        const dVector3 walk = {1, 0, 0};
+        dCharacterWalk(character, walk, 0, dReal(0.01));
         if (!world_contacts) dSpaceCollide(space, const_cast<World*>(this), touch);
         world_contacts ? dWorldStepFast1(world, dReal(0.01), 4) : dWorldQuickStep(world, dReal(0.01));
         dJointGroupEmpty(contacts);
@@ -58,9 +61,18 @@ inline void add_joints(dWorldID world, const dBodyID (&body)[5])
         dJointSetCouplingAxis(coupling, 1, slider, 0, dReal(0.1));
 }
 
+inline dGeomID make_character(dSpaceID space)
+{
+    dCharacterSettings settings;
+    dCharacterSettingsInit(&settings, sizeof settings);
+    const dGeomID character = dCharacterCreate(space, &settings);
+    dCharacterSetPosition(character, -5, 3, 0);
+    return character;
+}
+
 inline World make_world(bool world_contacts)
 {
-    const World w{dWorldCreate(), dHashSpaceCreate(nullptr), dJointGroupCreate(0), world_contacts};
+    World w{dWorldCreate(), dHashSpaceCreate(nullptr), dJointGroupCreate(0), world_contacts};
     dWorldSetGravity(w.world, 0, 0, -10), dWorldSetAutoDisableFlag(w.world, 1);
     if (world_contacts) dWorldSetContactSpace(w.world, w.space);
     dCreatePlane(w.space, 0, 0, 1, 0), make_mesh(w.space);
@@ -71,6 +83,8 @@ inline World make_world(bool world_contacts)
         dGeomSetBody(i % 2 ? dCreateSphere(w.space, dReal(0.5)) : dCreateBox(w.space, 1, 1, 1), body[i]);
     }
     add_joints(w.world, body);
+    dFluidSetPlane(dFluidCreate(w.world), 0, 0, 1, dReal(0.1));
+    w.character = make_character(w.space);
     return w;
 }
 
