@@ -418,3 +418,54 @@ def test_values_that_no_keyword_is_are_errors(text, words):
     assert all(word in str(error.value) for word in words)
     with pytest.raises(ValueError):
         judge().MjModel.from_xml_string(text)
+
+
+@pytest.mark.parametrize("word", ["geom solref='{}' size='.1'", "joint solreflimit='{}' range='5 20'"])
+def test_the_second_number_of_solref_may_be_left_out(word):
+    """Files of others have it so: the damping ratio is 1 then, as MuJoCo has it."""
+    ends = []
+    for numbers in ("0.01", "0.01 1", "0.01 0.3"):
+        geom, joint = (word.format(numbers), "freejoint") if word.startswith("geom") else ("geom size='.1' pos='.2 0 0'", word.format(numbers) + " axis='0 1 0'")
+        robot = epode.robot.from_text(f"<mujoco><worldbody><geom type='plane' size='1 1 1'/><body pos='0 0 .12'><{joint}/><{geom}/></body></worldbody></mujoco>").build()
+        robot.world.step(0.002, steps=100)
+        ends.append(robot.positions.tolist())
+    assert ends[0] == ends[1] != ends[2]
+
+
+def moved(default, joint, geom, actuator):
+    """Where two seconds of a robot end whose lists say that much."""
+    robot = epode.robot.from_text(
+        f"<mujoco><default>{default}</default><worldbody><geom type='plane' size='9 9 1' friction='1 0.005 0.0001'/><body pos='0 0 .4'><joint name='j' axis='0 1 0' {joint}/>"
+        f"<geom type='box' pos='.3 0 0' {geom}/></body></worldbody><actuator>{actuator}</actuator></mujoco>").build(start=[0.3])
+    robot.controls = [0.2]
+    robot.world.step(0.002, steps=100)
+    return robot.positions.tolist() + robot.velocities.tolist()
+
+
+def test_lists_that_are_short_go_on_with_the_numbers_of_their_class():
+    """As MuJoCo has it: gains, gears, sizes, frictions and softness alike."""
+    short = moved("<geom size='.1 .2 .3' friction='.7 .1 .2'/><general gainprm='1' biasprm='0 -10 -4' biastype='affine' gear='1 2'/>", "", "size='.15' friction='.3'",
+                  "<general joint='j' gainprm='200' biasprm='0 -200' gear='1.5'/>")
+    full = moved("", "", "size='.15 .2 .3' friction='.3 .1 .2'", "<general joint='j' gainprm='200' biasprm='0 -200 -4' biastype='affine' gear='1.5 2'/>")
+    without = moved("", "", "size='.15 .2 .3'", "<general joint='j' gainprm='200' biasprm='0 -200 0' biastype='affine' gear='1.5 2'/>")
+    assert short == full != without
+
+
+def test_a_general_servo_has_a_damping_ratio_too():
+    """A third bias above 0 of a servo is its ratio, as `position dampratio` has it: not a force that drives it on."""
+    general = moved("", "", "size='.1 .1 .1'", "<general joint='j' gainprm='50' biasprm='0 -50 0.7' biastype='affine'/>")
+    position = moved("", "", "size='.1 .1 .1'", "<position joint='j' kp='50' dampratio='0.7'/>")
+    np.testing.assert_allclose(general, position, rtol=1e-9)
+    assert general != moved("", "", "size='.1 .1 .1'", "<position joint='j' kp='50'/>")
+
+
+def test_a_class_hands_the_range_of_a_joint_to_servos_alone():
+    """And to those alone that have no range of their own: as MuJoCo has it."""
+    def range_of(actuator, more=""):
+        model = epode.robot.from_text(f"<mujoco><default><position kp='5' inheritrange='0.5'/>{more}</default><worldbody><body><joint name='j' range='-60 60'/>"
+                                      f"<geom size='.1'/></body></worldbody><actuator>{actuator}</actuator></mujoco>")
+        return model.actuators[0].low, model.actuators[0].high
+    sixth = np.pi / 6
+    assert range_of("<position joint='j'/>") == pytest.approx((-sixth, sixth))
+    assert range_of("<position joint='j' ctrlrange='-7 7'/>") == range_of("<motor joint='j'/>", "<motor ctrlrange='-7 7'/>") == (-7, 7)
+    assert range_of("<motor joint='j'/>") == range_of("<velocity joint='j'/>") == (-np.inf, np.inf)

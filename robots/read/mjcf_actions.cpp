@@ -220,6 +220,8 @@ void Mjcf::read_general_gains(const Attributes& a, Actuator& actuator)
     if (list(a, "biasprm", 1, 10, values) && a.text("biastype") == "affine") {
         values.resize(3, 0);
         actuator.bias = values[0], actuator.bias_position = -values[1], actuator.bias_velocity = -values[2];
+        if (values[2] > 0 && actuator.gain == -values[1] && actuator.gain > 0)  // a servo's damping ratio
+            actuator.bias_velocity = damping_of(actuator, values[2]);
     }
     if (a.text("gaintype") == "muscle" && a.text("biastype") == "muscle") return read_muscle(a, actuator);
     for (const char* kind : {"gaintype", "biastype"}) {
@@ -345,8 +347,10 @@ void Mjcf::read_actuator(const Attributes& a)
     if (actuator.low > actuator.high || actuator.force_low > actuator.force_high)
         return reading_.error(a.element(),
                               "actuator '" + actuator.name + "' has a range that ends before it begins");
-    double inherit = 0;
-    if (number(a, "inheritrange", inherit) && inherit > 0 && actuator.joint >= 0) {
+    double inherit = 0;  // of a class it counts for servos alone, and less than the element's own range
+    const bool may_inherit =
+        (actuator.kind == "position" || actuator.kind == "general") && !a.element().has("ctrlrange");
+    if (may_inherit && number(a, "inheritrange", inherit) && inherit > 0 && actuator.joint >= 0) {
         const Joint& joint = model_.joints[size_t(actuator.joint)];
         const double middle = (joint.low + joint.high) / 2, half = (joint.high - joint.low) / 2;
         if (joint.limited) actuator.low = middle - inherit * half, actuator.high = middle + inherit * half;

@@ -284,7 +284,10 @@ void Mjcf::read_joint(const Attributes& a, const Scope& scope)
 void Mjcf::read_softness(const Attributes& a, const std::array<const char*, 2>& names, Softness& softness)
 {
     std::vector<double> v;
-    if (list(a, names[0], 2, 2, v)) softness.stated = true, softness.time = v[0], softness.ratio = v[1];
+    if (list(a, names[0], 1, 2, v)) {  // the second is 1 where it is left out
+        softness.stated = true, softness.time = v[0];
+        if (v.size() > 1) softness.ratio = v[1];
+    }
     if (!list(a, names[1], 1, 5, v)) return;
     softness.stated = true;
     double* const to[] = {&softness.low, &softness.high, &softness.width, &softness.middle, &softness.power};

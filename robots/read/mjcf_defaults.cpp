@@ -4,6 +4,8 @@
 // See mjcf_defaults.h.
 #include "robots/read/mjcf_defaults.h"
 
+#include <sstream>
+
 #include "robots/numbers.h"
 
 namespace epode::robots {
@@ -71,15 +73,48 @@ Values from_general(const std::string& kind, const Values& general)
     return out;
 }
 
+// Lists that may be shorter than they could be.
+bool may_be_short(const std::string& name)
+{
+    static const std::set<std::string> lists{"solref",         "solimp",         "solreflimit", "solimplimit",
+                                             "solreffriction", "solimpfriction", "friction",    "gainprm",
+                                             "biasprm",        "dynprm",         "gear",        "size",
+                                             "polycoef",       "stiffness",      "damping"};
+    return lists.count(name) > 0;
+}
+
+// A list that is shorter than the class's goes on with the class's numbers.
+std::string completed(const std::string& name, const std::string& text, const std::string& behind)
+{
+    if (behind.empty() || !may_be_short(name)) return text;
+    std::istringstream its(text), others(behind);
+    std::string number, out = text;
+    while (its >> number) others >> number;
+    while (others >> number) out += " " + number;
+    return out;
+}
+
 }  // namespace
 
 std::string Attributes::text(const char* name) const
 {
-    if (element_.has(name)) return element_.text(name);
+    if (!element_.has(name)) return text_of_class(name);
+    const std::string its = element_.text(name);
+    return may_be_short(name) ? completed(name, its, text_of_class(name)) : its;
+}
+
+std::string Attributes::text_of_class(const char* name) const
+{
     for (const Values* values : {gains_, defaults_})
         if (values)
             if (const auto it = values->find(name); it != values->end()) return it->second;
     return {};
+}
+
+static void set(Values& values, const pugi::xml_attribute& attribute)
+{
+    std::string& its = values[attribute.name()];
+    its = completed(attribute.name(), attribute.value(), its);
 }
 
 void Defaults::read(const Element& element, Reading& reading)
@@ -97,7 +132,7 @@ void Defaults::read_actuator(const Element& element, const Class& parent, std::s
     }
     kind = now;
     for (const pugi::xml_attribute& attribute : element.node.attributes())
-        its[is_gain(attribute.name()) ? gains_of(now) : "actuator"][attribute.name()] = attribute.value();
+        set(its[is_gain(attribute.name()) ? gains_of(now) : "actuator"], attribute);
     if (now != "general") {
         its[general] = in_general(now, its[gains_of(now)]);
         return;
@@ -121,8 +156,7 @@ void Defaults::read_class(const Element& element, const std::string& name, const
             continue;
         }
         Values& values = its[family_of(child.name())];
-        for (const pugi::xml_attribute& attribute : child.node.attributes())
-            values[attribute.name()] = attribute.value();
+        for (const pugi::xml_attribute& attribute : child.node.attributes()) set(values, attribute);
     }
     for (const Element& child : element.children("default")) {
         const std::string inner = child.text("class");

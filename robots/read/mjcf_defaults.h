@@ -27,6 +27,8 @@ class Attributes {
     const Element& element() const { return element_; }
 
   private:
+    std::string text_of_class(const char* name) const;
+
     Element element_;
     const Values *defaults_, *gains_;
 };
