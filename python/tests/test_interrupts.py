@@ -13,6 +13,7 @@ BEGIN = """
 import os, signal, threading, time
 import numpy as np
 import epode
+signal.signal(signal.SIGINT, signal.default_int_handler)  # shells have what they start in the background ignore it
 crates = "".join(f"<body pos='{i % 7 * .3} {i // 7 * .3} {1 + i * .1}'><freejoint/><geom type='box' size='.1 .1 .1'/></body>" for i in range(30))
 model = epode.robot.from_text("<mujoco><worldbody><geom type='plane' size='9 9 1'/>" + crates + "</worldbody></mujoco>")
 robots = epode.Robots([model.build(epode.World()) for _ in range(3)])
