@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "step/island/containment.h"
-#include "step/island/divergence.h"
+#include "step/island/positions/asked.h"
 #include "step/island/positions/solved_motion.h"
 
 namespace epode {

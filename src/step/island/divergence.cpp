@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "joints/joint_manifolds.h"
+#include "step/island/positions/asked.h"
 #include "step/island/positions/solved_motion.h"
 #include "tasks/prefetched.h"
 
@@ -47,11 +48,14 @@ PartMotion motion_of(const IslandWork& work, int first, int last, Real h, const 
     return all;
 }
 
+// m^2/s^2: a gain of T that is looked at is more than this times the mass.
+constexpr double kNeverThrown = 1;
+
 // Twice the kinetic energy.
 double energy_at_correcting(double mass) { return mass * double(kCorrecting * kCorrecting); }
 
 // T <= sum (m v^2 + w^2 tr I) / 2, as no principal moment is larger than their sum: where that is below the mass's part of
-// the bound, nothing has diverged. Nearly every step ends here.
+// the bounds, nothing has diverged or is thrown. Nearly every step ends here.
 bool is_slow(const IslandWork& work, int first, int last)
 {
     double fast = 0, mass = 0;
@@ -63,7 +67,7 @@ bool is_slow(const IslandWork& work, int first, int last)
         mass += double(body.mass.mass);
         fast += double(body.mass.mass * length2(solved.v) + trace * length2(solved.w));
     }
-    return fast <= 2 * energy_at_correcting(mass);
+    return fast <= 2 * kNeverThrown * mass;
 }
 
 // J_K v_K of the bodies that move by themselves.
@@ -81,17 +85,13 @@ double driven_velocity(const RowSystem& system, int body1, int body2, const Jaco
 
 struct Supply {
     double by_targets = 0, by_springs = 0;
-    double by_corrections = 0;       // of by_targets
-    double beyond = 0;               // what rows have worked past their targets
-    double linear = 0, angular = 0;  // sums of squares of what corrections ask for, m/s and rad/s
+    double by_corrections = 0;  // of by_targets
+    double beyond = 0;          // what rows have worked past their targets
+    Asked asked;
 
     void add_beyond(double p, double past) { beyond += std::max(0.0, p * past); }
-    void add_correction(const Row& row, double p, double c)
-    {
-        if (length2(row.lin1) + length2(row.lin2) > 0) return add_linear_correction(p, c);
-        by_corrections += p * c, angular += c * c;
-    }
-    void add_linear_correction(double p, double c) { by_corrections += p * c, linear += c * c; }
+    void add_correction(const Row& row, double p, double c) { by_corrections += p * c, asked.add(row, c); }
+    void add_linear_correction(double p, double c) { by_corrections += p * c, asked.linear += c * c; }
 };
 
 Vec3 velocity_at(const RowSystem& system, int body, Vec3 r)
@@ -179,35 +179,6 @@ Supply supply_to(const IslandWork& work, const SystemPart& from, const SystemPar
     return sum;
 }
 
-// Of the whole part, turning as one about its centre of mass.
-struct Whole {
-    double mass = 0, inertia = 0;
-};
-
-Whole whole_of(const IslandWork& work, int first, int last)
-{
-    Whole whole;
-    Vec3 centre{};
-    const auto for_each = [&](auto&& use) {
-        for (auto i = std::size_t(first); i < std::size_t(last); ++i)
-            if (!moves_by_itself(work.system.bodies[i])) use(*work.island.bodies[i]);
-    };
-    for_each([&](const Body& body) {
-        whole.mass += double(body.mass.mass), centre += body.mass.mass * body.position();
-    });
-    if (whole.mass > 0) centre = centre / Real(whole.mass);
-    for_each([&](const Body& body) {
-        const Sym3& I = body.inertia;
-        whole.inertia += double(body.mass.mass * length2(body.position() - centre) + I.xx + I.yy + I.zz);
-    });
-    return whole;
-}
-
-double asked_by_corrections(const Whole& whole, const Supply& sum)
-{
-    return whole.mass * sum.linear + whole.inertia * sum.angular;
-}
-
 bool diverges(const PartMotion& motion, const Supply& sum, bool bounds_corrections)
 {
     const double bound = motion.forced + energy_at_correcting(motion.mass),
@@ -218,12 +189,12 @@ bool diverges(const PartMotion& motion, const Supply& sum, bool bounds_correctio
 }
 
 // Of what has not diverged.
-Real correctable_share(const PartMotion& motion, const Supply& sum, const Whole& whole)
+Real correctable_share(const PartMotion& motion, const Supply& sum, double asked)
 {
-    const double slow = energy_at_correcting(motion.mass), gain = motion.solved - motion.forced;
-    const double A = std::min(asked_by_corrections(whole, sum), slow);
+    const double gain = motion.solved - motion.forced;
+    const double A = std::min(asked, energy_at_correcting(motion.mass));
     const double others = std::max(0.0, sum.by_targets - sum.by_corrections) + sum.by_springs;
-    const double allowed = slow + A + std::sqrt(2 * motion.forced * A) + others;
+    const double allowed = A + motion.mass * kNeverThrown + others;
     return gain > allowed ? Real(std::sqrt(allowed / gain) / 2) : Real(1);
 }
 
@@ -236,42 +207,13 @@ SolutionEnergy judge_energy(const IslandWork& work, int part, Real h, bool bound
     if (is_slow(work, from.bodies, to.bodies)) return {};
     const PartMotion motion = motion_of(work, from.bodies, to.bodies, h, tasks, arena);
     const double gain = motion.solved - motion.forced;
-    if (!(gain > energy_at_correcting(motion.mass))) return {};
+    if (!(gain > kNeverThrown * motion.mass)) return {};
     const Supply sum = supply_to(work, from, to);
     SolutionEnergy energy;
     energy.diverged = diverges(motion, sum, bounds_corrections);
     if (bounds_corrections)
-        energy.correctable = correctable_share(motion, sum, whole_of(work, from.bodies, to.bodies));
+        energy.correctable = correctable_share(motion, sum, energy_of(sum.asked, work, part));
     return energy;
-}
-
-double asked_by_errors(const IslandWork& work, int part, Real h)
-{
-    const RowSystem& system = work.system;
-    const SystemPart from = system.begin_of(part), to = system.end_of(part);
-    Supply sum;
-    for (int k = from.blocks; k < to.blocks; ++k) {
-        const RowBlock& block = system.blocks[std::size_t(k)];
-        for (int i = block.first; i < block.first + block.count; ++i) {
-            const Row& row = system.rows[std::size_t(i)];
-            if (row.kind != RowKind::kFriction) sum.add_correction(row, 0, double(row.error / h));
-        }
-    }
-    for (int k = from.joint_manifolds; k < to.joint_manifolds; ++k) {
-        const JointManifold& m = system.joint_contacts.manifolds[std::size_t(k)];
-        for (int i = m.first; i < m.first + m.count; ++i) {
-            const double depth = std::max(double(system.joint_contacts.points[std::size_t(i)].error), 0.0);
-            sum.linear += depth * depth / double(h * h);
-        }
-    }
-    for (int k = from.contact_manifolds; k < to.contact_manifolds; ++k) {
-        const ContactManifold& m = *system.contact_manifolds[std::size_t(k)];
-        for (int i = 0; i < m.count; ++i) {
-            const double depth = std::min(double(m.points[i].separation), 0.0);
-            sum.linear += depth * depth / double(h * h);
-        }
-    }
-    return asked_by_corrections(whole_of(work, from.bodies, to.bodies), sum);
 }
 
 }  // namespace epode

@@ -20,11 +20,13 @@
 // A solution that has not diverged may throw bodies too: near a dead centre a correction of 1 cm asks levers for a thousand
 // times its own velocity. Corrections c_i = rate_i error_i of a joint give its bodies at most their energy at these velocities, and
 //
-//   A = min(m sum c_i^2 + I (the same of angles), m (3 m/s)^2),     m of all of the part, I about its centre of mass,
+//   A = min(m sum c_i^2 + I (the same of angles), m (3 m/s)^2),     m of all of the part, I about its centre of mass (positions/asked.h),
 //
-// is twice that of all joints in all bodies at once, as far as 3 m/s go. A velocity v that changes by d gains m v.d + m d^2/2, which
-// with m d^2 = A is sqrt(2 T* A) + A/2 at most. If G exceeds m (3 m/s)^2 + A + sqrt(2 T* A) and what motors, springs and rebounds put
-// in, a share of the corrections is solved again: velocities are linear in c while contacts hold, so half the root of the ratio. Joints
+// is twice that of all joints in all bodies at once, as far as 3 m/s go. The solution v is nearest to v* in the metric of M, so the
+// part v_c that corrections add to the solution v_0 without them is at right angles to it, v_0 M v_c = (J v_0) p_c = 0 while contacts
+// hold, and T(v) = T(v_0) + T(v_c) with T(v_0) <= T* and what motors put in. T(v_c) is the least of all motions that make the
+// corrections, A/2 at most where the part is not wedged. If G exceeds A + m (1 m/s)^2 and what motors, springs and rebounds put
+// in, a share of the corrections is solved again: T(v_c) goes with its square, so half the root of the ratio. Joints
 // that are open by more than this closes in a step close in several. What rows work past their targets, and what corrections throw,
 // is judged where bounds_corrections (containment.h) says so.
 #pragma once
@@ -41,8 +43,5 @@ struct SolutionEnergy {
 // After the solution and before the bodies get its velocities.
 SolutionEnergy judge_energy(const IslandWork& work, int part, Real h, bool bounds_corrections,
                             const Tasks& tasks, Arena& arena);
-
-// Twice the energy of all bodies of a part at the velocities that would remove all errors of positions in a step of h.
-double asked_by_errors(const IslandWork& work, int part, Real h);
 
 }  // namespace epode

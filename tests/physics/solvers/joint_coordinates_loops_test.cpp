@@ -258,7 +258,8 @@ TEST(JointLoops, motors_have_their_rate_where_the_step_ends)
     }
 }
 
-// The last hinge leans by 1e-5: the loop cannot close. It is strained and jams, as with bodies.
+// The last hinge leans by 1e-5: the loop cannot close. It is strained and jams, as with bodies. (Newton's steps on the poses, far
+// longer than what the hinge is off by, made 2 J of 21.)
 TEST(JointLoops, axes_that_do_not_fit_throw_nothing)
 {
     for (const double h : {1 / 60., 1 / 240., 1e-3}) {
@@ -267,7 +268,7 @@ TEST(JointLoops, axes_that_do_not_fit_throw_nothing)
         bars.step();
         const double first = bars.energy();
         for (int i = 0; i < int(5 / h); ++i) bars.step();
-        EXPECT_LT(bars.energy(), first + 0.1 * std::fabs(first)) << h;
+        EXPECT_LT(bars.energy(), first) << h;
         EXPECT_LT(joint_error(bars.sim_.world), 1e-3) << h;
     }
 }

@@ -4,7 +4,7 @@
 // Newton's method on the position errors e(x) of the rows that hold positions, in the metric of the masses:
 //
 //   minimise  dx^T M dx / 2   subject to   J(x) dx = e(x),   or >= e with a force >= 0 for stops and contacts
-//   x <- x + a dx,  turns by the exponential map,  a = 1, or halved until sum (e/l)^2 falls
+//   x <- x + a dx,  turns by the exponential map,  a = 1 (less, if dx is far more than e asks for), or halved until sum (e/l)^2 falls
 //
 // which is the box problem of a step with v* = 0, c = e, so the exact solver solves it, redundant and
 // one-sided rows included; rows that contradict each other it leaves at their least squares. M contains the
@@ -35,8 +35,10 @@
 #include "rows/policy.h"
 #include "solve/exact/equalities.h"
 #include "solve/solver.h"
+#include "step/island/positions/asked.h"
 #include "step/island/positions/free_momentum.h"
 #include "step/island/positions/position_rows.h"
+#include "step/island/positions/solved_motion.h"
 #include "step/island/positions/tension.h"
 
 namespace epode {
@@ -209,13 +211,33 @@ class Projection {
     {
         worst_ = merit_ = 0;
         for (const Hold& hold : holds_) {
-            const Row& row = step_row(hold);
-            Real e = hold.error;
-            e = row.lo == 0 ? std::max(e, Real(0)) : row.hi == 0 ? std::max(-e, Real(0)) : std::fabs(e);
-            e *= hold.per_arm;
+            const Real e = to_close(hold) * hold.per_arm;
             worst_ = std::max(worst_, e);
             merit_ += e * e;
         }
+    }
+
+    Real to_close(const Hold& hold) const
+    {
+        const Row& row = step_row(hold);
+        const Real e = hold.error;
+        return row.lo == 0 ? std::max(e, Real(0)) : row.hi == 0 ? std::max(-e, Real(0)) : std::fabs(e);
+    }
+
+    // Of a Newton step: that with which m d^2 is at most twice what all errors could ask of all bodies at once (asked.h). What is
+    // wedged would be carried away for them.
+    Real share_that_errors_ask_for() const
+    {
+        Asked asked;
+        for (const Hold& hold : holds_) asked.add(step_row(hold), double(to_close(hold)));
+        double moved = 0;
+        for (std::size_t i = 0; i < system_.bodies.size(); ++i) {
+            const SolverBody& s = system_.bodies[i];
+            if (!moves_by_itself(s))
+                moved += 2 * kinetic_of(body(i), s.v, transposed_times(body(i).rotation(), s.w));
+        }
+        const double allowed = 2 * energy_of(asked, work_, 0);
+        return moved > allowed ? Real(std::sqrt(allowed / moved)) : Real(1);
     }
 
     // One Newton step; false: none that makes the errors smaller.
@@ -225,7 +247,7 @@ class Projection {
         load_bodies();
         if (!solve_within_reach(tasks)) return false;
         const Real merit = merit_;
-        Real share = largest_share(system_.bodies);
+        Real share = std::min(largest_share(system_.bodies), share_that_errors_ask_for());
         if (!(share > 0)) return false;  // no pose has moved: 0 * NaN would move them
         std::copy(holds_.begin(), holds_.end(), before_.begin());
         for (int k = 0; k <= kMaxHalvings; ++k, share /= 2) {

@@ -18,6 +18,8 @@ constexpr int kMaxIterations = 8;
 constexpr Real kEnough = Real(1e-3);       // of the projection's tolerance
 constexpr Real kGain = Real(0.25);         // of the sum of squares, that an iteration must reach
 constexpr Real kLongestTurn = Real(0.02);  // opening relative to the lever, about (w h)^2/2
+constexpr double kClosingGain = 0.1;       // of the kinetic energy
+constexpr double kHarmless = 0.1;          // m/s, of all bodies
 constexpr Real kSticks = Real(0.999);      // of its bound: friction that does not slide
 
 bool is_free(const IslandWork& work) { return work.system.rows.empty() && work.contacts.empty(); }
@@ -73,9 +75,11 @@ class Shake {
             }
             changed = true;
         }
-        if (changed) hold_velocities();
-        if (changed && is_thrown(solved, solved_motion(work_))) return take_back(), false;
-        return changed;
+        if (!changed) return false;
+        if (throws(solved)) return take_back(), false;
+        hold_velocities();
+        if (throws(solved)) return take_back(), false;
+        return true;
     }
 
   private:
@@ -96,6 +100,12 @@ class Shake {
     };
 
     Body& body(std::size_t i) const { return *work_.island.bodies[i]; }
+
+    bool throws(const SolvedMotion& solved) const
+    {
+        return solved_motion(work_).energy >
+               (1 + kClosingGain) * solved.energy + solved.mass * kHarmless * kHarmless;
+    }
     bool is_enough() const { return worst_ <= kEnough * world_.projection_tolerance; }
 
     void choose_rows()
