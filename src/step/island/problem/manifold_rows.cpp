@@ -36,6 +36,29 @@ Real approach_of(const Row& row, const Island& island, const ContactManifold& ma
     return -(velocity(manifold.body1, row.lin1, row.ang1) + velocity(manifold.body2, row.lin2, row.ang2));
 }
 
+// What weight and other forces add to it in a second.
+Real approach_by_forces(Vec3 n, const Island& island, const ContactManifold& manifold)
+{
+    const auto pushed = [&](int index) {
+        if (index < 0) return Vec3{};
+        const Body& body = *island.bodies[std::size_t(index)];
+        return body.inv_mass * load(body.facc);
+    };
+    return dot(n, pushed(manifold.body2) - pushed(manifold.body1));
+}
+
+// A step does not begin where the points meet but with the separation s, after or before. With u and a the approach and what forces add to
+// it, the square of the speed at the surface is u^2 + 2 a s; back at s, what rebounds at e of it has
+//
+//   v^2 = e^2 (u^2 + 2 a s) - 2 a s
+//
+// which is u^2 for e = 1. Below 0 it does not come back to s.
+Real rebound_velocity(Real e, Real u, Real a, Real s)
+{
+    const Real fall = std::max(2 * a * s, -u * u);
+    return std::sqrt(std::max(e * e * (u * u + fall) - fall, Real(0)));
+}
+
 // The spring and damper of ERP = h k / (h k + d) and CFM = 1 / (h k + d).
 void soften(Row& normal, const ContactManifold& manifold, Real separation, Real h)
 {
@@ -76,8 +99,9 @@ void write_point(RowWriter& out, const Island& island, const ContactManifold& ma
     const Real approach = approach_of(normal, island, manifold);
     if (manifold.restitution > 0 && approach > manifold.restitution_threshold &&
         approach > separation * out.info().fps) {
-        normal.has_restitution = true;
-        normal.restitution_velocity = Real(manifold.restitution) * approach;
+        normal.restitution_velocity = rebound_velocity(Real(manifold.restitution), approach,
+                                                       approach_by_forces(n, island, manifold), separation);
+        normal.has_restitution = normal.restitution_velocity > 0;
     }
     for (int i = 0; i < 2; ++i) {
         Row& row = point_row(out, friction.t[i], RowKind::kFriction);
