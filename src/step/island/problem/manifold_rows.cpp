@@ -99,9 +99,9 @@ void write_point(RowWriter& out, const Island& island, const ContactManifold& ma
     const Real approach = approach_of(normal, island, manifold);
     if (manifold.restitution > 0 && approach > manifold.restitution_threshold &&
         approach > separation * out.info().fps) {
-        normal.restitution_velocity = rebound_velocity(Real(manifold.restitution), approach,
-                                                       approach_by_forces(n, island, manifold), separation);
-        normal.has_restitution = normal.restitution_velocity > 0;
+        const Real rebound = rebound_velocity(Real(manifold.restitution), approach,
+                                              approach_by_forces(n, island, manifold), separation);
+        if (rebound > 0) normal.has_restitution = true, normal.restitution_velocity = rebound;
     }
     for (int i = 0; i < 2; ++i) {
         Row& row = point_row(out, friction.t[i], RowKind::kFriction);
