@@ -23,6 +23,10 @@
 // along other axes: of a rod that lands, along its own, where little momentum is much energy (25 rad/s became 97). What contacts hold
 // begins again without e where its energy e.I^-1 e is no small part of W.I W.
 //
+// A wheel on an axle a spins with s = m.a and turns with what carries it by the rest r = m - s a. By exp(h m) the axle would go round m, on
+// a cone: off the carrier's by h |r| (1 - sin(h s)/(h s)), h |r| itself where h s is some radians, and a fast car spun out. exp(h r) exp(h s a)
+// turns a as the carrier turns it.
+//
 // Source: the midpoint rule's two invariants and their Cayley form: Austin, Krishnaprasad & Wang, "Almost
 // Poisson Integration of Rigid Body Systems", J. Comp. Phys. 107 (1993); the scaling of W by tan(x)/x, which
 // trades Cayley's angle 2 atan(h |W|/2) for the exact h |W|, is ours. Rejected: the momentum kept in the
@@ -31,6 +35,7 @@
 #include "dynamics/exact_spin.h"
 
 #include "dynamics/integrate.h"
+#include "dynamics/joint.h"
 #include "math/trig.h"
 
 namespace epode {
@@ -39,6 +44,7 @@ namespace {
 constexpr int kMaxNewtonSteps = 16;
 constexpr Real kLargestExcess = Real(0.1);   // of the momentum, of a body on joints
 constexpr Real kLargestEnergy = Real(0.05);  // of that of the velocity, of a body in contact
+constexpr Real kFarTurn = Real(0.25);        // rad
 constexpr Real kLargestHalfTurn2 =
     1;  // square of h |W| / 2 above which nothing is scaled: tan has a pole ahead
 
@@ -139,10 +145,29 @@ Vec3 spin_momentum(const Sym3& I, Vec3 W, Real h)
 
 namespace {
 
+// Of the body's joints, in its frame: about which it turns by most, if that is far.
+Vec3 axle_of(const Body& body, Vec3 m, Real h)
+{
+    Vec3 axle{};
+    Real furthest = kFarTurn / h;
+    for (const JointNode* n = body.lasting; n; n = n->next) {
+        const Joint& joint = *n->joint;
+        if (!joint.type->axle || joint.disabled) continue;
+        const Vec3 a = joint.type->axle(joint, int(n - joint.node));
+        if (const Real rate = std::fabs(dot(m, a)); rate > furthest) furthest = rate, axle = a;
+    }
+    return axle;
+}
+
+// What spins about an axle turns about that first, and then by the rest, with whatever carries the axle.
 Quat turned_by(const Body& body, Quat q, Vec3 m, Real h)
 {
-    const bool split = body.finite_rotation && !(body.finite_axis == Vec3{});
-    return split ? turned(body, q, m, h) : turn_exactly(q, m, h);
+    if (body.finite_rotation && !(body.finite_axis == Vec3{})) return turned(body, q, m, h);
+    if (!(length2(m) * h * h > kFarTurn * kFarTurn)) return turn_exactly(q, m, h);
+    const Mat3 R = to_matrix(q);
+    const Vec3 axle = R * axle_of(body, transposed_times(R, m), h);
+    const Vec3 along = dot(m, axle) * axle;
+    return turn_exactly(turn_exactly(q, along, h), m - along, h);
 }
 
 // The momentum in the world stays while the body turns from R0 to R1.

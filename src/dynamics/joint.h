@@ -63,7 +63,9 @@ struct JointType {
     bool (*get_param)(const Joint&, int param, Real& value);
     int (*axes)(const Joint&);               // how many it has; null: it has none
     JointAxis (*axis)(const Joint&, int i);  // of an attached joint
-    LimitMotor* (*stops)(Joint&, int i);     // of an axis; null, or returns null: none
+    Vec3 (*axle)(const Joint&,
+                 int node);  // in the frame of the body there, which is free to turn about it; null: none
+    LimitMotor* (*stops)(Joint&, int i);  // of an axis; null, or returns null: none
     // Of an axis: whether its turns are counted without stops too; lets it be so, from the position that it has now;
     // and lets the turns of all axes be unknown where they are not.
     bool (*continuous)(const Joint&, int i);
