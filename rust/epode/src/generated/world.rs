@@ -453,7 +453,8 @@ impl World {
 
     /// Choose how bodies under joints and contacts rotate: as ODE rotates them (mode 0, the default) or exactly
     /// (mode 1, dDefaultsGame and dDefaultsRobot), by the exponential map with the gyroscopic torque of the implicit midpoint rule: a free
-    /// body keeps its energy and angular momentum while it turns by less than 2 rad in a step, a top its precession. Bodies on nothing
+    /// body keeps its energy and angular momentum while it turns by less than 2 rad in a step, a top its precession. A wheel that turns far
+    /// in a step does so about the axis of its hinge, hinge-2, piston, universal or PU joint, and then with what carries it. Bodies on nothing
     /// rotate exactly in both modes, but with dBehaviour016 in mode 1 only. Other values are refused, as is a call during a step.
     ///
     /// C: `dWorldSetExactRotation`.
