@@ -44,7 +44,7 @@ namespace {
 constexpr int kMaxNewtonSteps = 16;
 constexpr Real kLargestExcess = Real(0.1);   // of the momentum, of a body on joints
 constexpr Real kLargestEnergy = Real(0.05);  // of that of the velocity, of a body in contact
-constexpr Real kFarTurn = Real(0.25);        // rad
+constexpr Real kFarTurn = Real(0.1);         // rad
 constexpr Real kLargestHalfTurn2 =
     1;  // square of h |W| / 2 above which nothing is scaled: tan has a pole ahead
 
