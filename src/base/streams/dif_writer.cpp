@@ -1,12 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Uses std::to_chars, because printf writes a decimal comma in some locales.
+// Uses std::to_chars, because printf writes a decimal comma in some locales. WebAssembly has no such locale, and std::to_chars brings
+// 104 kB of tables there, which compress to 35: a twenty-seventh of the npm package's module.
 #include "base/streams/dif_writer.h"
 
 #include <charconv>
 
 namespace epode {
+namespace {
+
+constexpr int kDigits = kSingle ? 9 : 15;
+
+void write_digits(char (&digits)[40], Real value)
+{
+#ifdef __wasm__
+    std::snprintf(digits, sizeof digits, "%.*g", kDigits, double(value));
+#else
+    *std::to_chars(digits, digits + sizeof digits - 1, value, std::chars_format::general, kDigits).ptr = 0;
+#endif
+}
+
+}  // namespace
 
 void DifWriter::indent()
 {
@@ -30,9 +45,7 @@ void DifWriter::put_real(Real value)
 {
     if (hash_) return hash_->add(value);
     char digits[40];
-    const auto end = std::to_chars(digits, digits + sizeof digits - 1, value, std::chars_format::general,
-                                   kSingle ? 9 : 15);
-    *end.ptr = 0;
+    write_digits(digits, value);
     put(digits);
 }
 
