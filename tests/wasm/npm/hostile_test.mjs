@@ -43,6 +43,7 @@ function rebuild() {
         const shape = pick(['sphere', 'box', 'capsule']);
         objects.push(body, body.createGeom(shape, sizes[shape]));
     }
+    if (random(2)) for (let i = 0; i < 240 && world.bodies.some(body => body.enabled); ++i) world.step(1 / 60);
 }
 
 // Values of every kind.
@@ -66,6 +67,9 @@ const values = [
 ];
 const value = () => pick(values)();
 
+const joint_options = [undefined, {}, {axis: [0, 0, 1]}, {axis: [0, 0, 0]}, {axis: [NaN, 0, 1]}, {axis1: [1, 0, 0], axis2: [1, 0, 0]}, {anchor: [0, 0, 1], axis: [0, 0, 0]},
+    {anchor: [Infinity, 0, 0]}, {enabled: 1}, {measures: true, axis: []}];
+
 // What a class has: names with a line below are the package's own.
 const of_package = new Set(['constructor', 'vector', 'four', 'six', 'matrix', 'buffer', 'callback', 'check', 'begun', 'ended', 'create', 'base', 'c', 'objects']);
 const memo = new Map();
@@ -88,7 +92,7 @@ function arguments_of(name, count) {
     if (random(3) === 0) {
         if (name === 'step') return [random(20) / 1000, pick(['hybrid', 'exact', 'quick', 'substeps'])];
         if (name === 'createGeom') return [shape, {...sizes[shape]}];
-        if (name === 'createJoint') return [pick(kinds.joint), pick(world.bodies), pick([null, ...world.bodies])];
+        if (name === 'createJoint') return [pick(kinds.joint), pick(world.bodies), pick([null, ...world.bodies]), pick(joint_options)];
         if (name === 'rollBack') return [random(3)];
     }
     if (name === 'step') return [pick(numbers.slice(0, 9)), value(), random(6)];

@@ -345,3 +345,35 @@ test('geoms that are refused leave a sleeping world as it is', () => {
     assert.equal(Buffer.compare(world.save(), before), 0);
     world.destroy();
 });
+
+test('what is refused leaves a sleeping pair with a joint asleep', () => {
+    const world = engine.createWorld();
+    world.history = 2;
+    floor(world);
+    const [low, high] = [0.3, 0.9].map(z => world.createBody({position: [0, 0, z]}));
+    for (const body of [low, high]) body.createGeom('box', {lengths: [0.6, 0.6, 0.6]});
+    const joint = world.createJoint('hinge', low, high, {anchor: [0, 0, 0.6], axis: [0, 1, 0]});
+    joint.setParam('loStop', -1);
+    steps(world, 300);
+    const before = world.save(), touched = world.contacts.length, events = JSON.stringify([world.contactEvents, world.events]);
+    assert.deepEqual([low.enabled, high.enabled], [false, false]);
+    const vehicle = {wheelRadius: 'one'};
+    for (const call of [
+        () => world.createJoint('hinge', low, high, {axis: [0, 0, 0]}), () => world.createJoint('hinge', low, null, {axis: [NaN, 0, 0]}),
+        () => world.createJoint('hinge', null, low, {anchor: [0, 0, 0], axis: [0, 0, 0]}), () => world.createJoint('slider', high, null, {axis: [Infinity, 0, 0]}),
+        () => world.createJoint('ball', low, high, {anchor: [0, 0, 0.5], enabled: 1}), () => world.createJoint('universal', high, low, {axis1: [0, 1, 0], axis2: 'z'}),
+        () => world.createJoint('fixed', low, high, {measures: null}), () => world.createJoint('transmission', low, null), () => world.createJoint('hinge', low, low),
+        () => { joint.axis = [0, 0, 0]; }, () => { joint.anchor = [NaN, 0, 0]; }, () => joint.setParam('loStop', NaN), () => joint.setParam('hiStop', 'x'), () => { joint.enabled = 0; },
+        () => { low.position = [0, 0, NaN]; }, () => { low.linearVelocity = [Infinity, 0, 0]; }, () => { low.mass = 0; }, () => { low.massProperties = {mass: 1, inertia: [1, 0, 0]}; },
+        () => { low.quaternion = [0, 0, 0, 0]; }, () => { low.enabled = 1; }, () => { low.kinematic = null; }, () => low.addForce([NaN, 0, 0]), () => low.applyImpulse([0, 0, 1], [NaN, 0, 0]),
+        () => low.makeVehicle(vehicle), () => world.createBody({mass: -1}), () => world.createBody({position: [0, 0, 0.2], linearVelocity: 3}), () => { world.gravity = [0, 0, NaN]; },
+        () => low.createGeom('sphere', {radius: 0.1, mass: -1}), () => low.createGeom('sphere', {radius: 0.1, offsetPosition: [0, 0, Infinity]}),
+        () => { low.geoms[0].lengths = [1, 1, -1]; }, () => { low.geoms[0].material = {friction: -1}; }, () => { low.geoms[0].enabled = 'no'; }, () => { low.geoms[0].offsetPosition = [NaN, 0, 0]; },
+    ]) {
+        assert.throws(call, error => error instanceof TypeError || error instanceof EpodeError, call.toString());
+        assert.ok(same(world.save(), before), call.toString());
+        assert.deepEqual([low.enabled, high.enabled, world.contacts.length, world.joints.length], [false, false, touched, 1], call.toString());
+        assert.equal(JSON.stringify([world.contactEvents, world.events]), events, call.toString());
+    }
+    world.destroy();
+});

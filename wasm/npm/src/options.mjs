@@ -22,13 +22,15 @@ export function checked_options(options, kinds, more, label) {
  * @template {{destroy(): void}} T
  * @param {T} made
  * @param {() => void} set
+ * @param {() => void} [restore] what destroying it may have changed
  * @returns {T}
  */
-export function finished(made, set) {
+export function finished(made, set, restore = () => {}) {
     try {
         set();
     } catch (error) {
         made.destroy();
+        restore();
         throw error;
     }
     return made;

@@ -128,6 +128,8 @@ export class World extends WorldStates {
         const given = checked_options(options, ['Joint', name], ['enabled', 'measures'], label);
         const ends = [body1, body2].map((body, i) => body === null ? 0 : e.pointer_to(body, Body, label, `body${i + 1}`));
         if ([body1, body2].some(body => body && body.world !== this)) throw new EpodeError('other', `${label}: a body of another world`);
+        // A joint that goes wakes its bodies, also one that is refused.
+        const asleep = [body1, body2].some(body => body && !body.enabled) ? this.saveState() : null;
         const pointer = e.c[`dJointCreate${name}`](this.handle, 0);
         e.check(label);
         const made = this.begun(/** @type {any} */ (new of(this, pointer)));
@@ -136,6 +138,8 @@ export class World extends WorldStates {
             if (kind === 'fixed') e.c.dJointSetFixed(pointer);
             e.check(label);
             assign(made, given, []);
+        }, () => {
+            if (asleep) this.loadState(asleep);
         });
     }
 
