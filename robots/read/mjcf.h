@@ -205,7 +205,7 @@ class Mjcf {
     std::vector<std::shared_ptr<Attached>> attached_;
     std::map<std::string, std::unique_ptr<Document>> documents_;
     std::vector<std::string> including_;
-    size_t includes_ = 0;
+    size_t includes_ = 0, actuators_ = 0;  // in the files
     std::map<std::string, std::vector<std::string>>
         copies_;  // of names that are replicated, what stands behind them
     std::map<const void*, std::unique_ptr<pugi::xml_document>> replicas_;  // by what was copied

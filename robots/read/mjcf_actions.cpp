@@ -4,6 +4,7 @@
 // Actuators, contacts and keys: see mjcf.h.
 #include <algorithm>
 
+#include "robots/kinematics.h"
 #include "robots/pairs.h"
 #include "robots/read/mjcf.h"
 #include "robots/tendon.h"
@@ -360,7 +361,10 @@ void Mjcf::read_actuator(const Attributes& a)
 
 void Mjcf::read_actuators(const Element& section)
 {
-    for (const Element& element : expand(section)) read_actuator(defaults_.of(element, "", reading_));
+    for (const Element& element : expand(section)) {
+        ++actuators_;
+        read_actuator(defaults_.of(element, "", reading_));
+    }
 }
 
 // A geom that touches nothing by itself is no look any more.
@@ -464,6 +468,10 @@ void Mjcf::read_keys(const Element& section)
             start.positions = reference_positions(model_);
         else if (!reading_.numbers(element, element.text("qpos"), "qpos", count, count, start.positions))
             continue;
+        if (attached_.empty()) {
+            reading_.check_count(element, "qvel", element.text("qvel"), size_t(number_of_velocities(model_)));
+            reading_.check_count(element, "ctrl", element.text("ctrl"), actuators_);
+        }
         parse_numbers(element.text("ctrl"), start.controls);
         read_mocap(element, start);
         model_.starts.push_back(start);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "robots/read/counts.h"
+
 namespace epode::robots {
 
 namespace {
@@ -220,6 +222,7 @@ void MjcfNames::check(const Element& element, const std::string& path)
 {
     check_attributes(element, path);
     check_keywords(element);
+    check_mjcf_counts(element, reading_);
     check_name(element, path);
     if (path.starts_with("body/composite")) return;
     const Words known = elements_in(path);

@@ -20,6 +20,18 @@ std::string shown(const std::string& text)
     return "'" + text.substr(0, kMaxShown) + (text.size() > kMaxShown ? "..." : "") + "'";
 }
 
+size_t words_in(const std::string& text)
+{
+    size_t count = 0;
+    bool is_within = false;
+    for (char c : text) {
+        const bool is_blank = c == ' ' || (c >= '\t' && c <= '\r');
+        count += !is_blank && !is_within;
+        is_within = !is_blank;
+    }
+    return count;
+}
+
 }  // namespace
 
 void Reading::note(Note kind, const std::string& file, int line, const std::string& text)
@@ -38,13 +50,25 @@ void Reading::note_once(Note kind, const Element& where, const std::string& text
 bool Reading::numbers(const Element& element, const std::string& text, const char* attribute, size_t least,
                       size_t largest, std::vector<double>& out)
 {
-    if (text.empty()) return false;
+    if (text.empty() || (!noted_.empty() && noted_.count(attribute + text))) return false;
     if (parse_numbers(text, out) && out.size() >= least && out.size() <= largest) return true;
     const std::string count =
         least == largest ? std::to_string(least) : std::to_string(least) + " to " + std::to_string(largest);
     error(element, element.name() + " " + attribute + " = " + shown(text) + ", wanted " + count +
                        (largest == 1 ? " finite number" : " finite numbers"));
     return false;
+}
+
+void Reading::check_count(const Element& element, const std::string& attribute, const std::string& text,
+                          size_t limit)
+{
+    const size_t count = words_in(text);
+    if (count <= limit) return;
+    noted_.insert(attribute + text);
+    error(element, element.name() + (attribute.empty() ? "" : " ") + attribute + " = " + shown(text) +
+                       ", wanted " + std::to_string(limit) +
+                       (limit == 1 ? " finite number" : " finite numbers") + " at most, not " +
+                       std::to_string(count));
 }
 
 bool Reading::number(const Element& element, const char* attribute, double& out)

@@ -48,6 +48,9 @@ class Reading {
     // An attribute's numbers. False where it is missing; false and an error where it is broken or of another count.
     bool numbers(const Element& element, const std::string& text, const char* attribute, size_t least,
                  size_t largest, std::vector<double>& out);
+    // An error where there are more numbers; `numbers` says nothing of them again.
+    void check_count(const Element& element, const std::string& attribute, const std::string& text,
+                     size_t limit);
     bool number(const Element& element, const char* attribute, double& out);
     bool vec(const Element& element, const char* attribute, Vec& out);
 
@@ -66,7 +69,7 @@ class Reading {
 
   private:
     std::map<std::tuple<std::string, std::array<double, 3>, bool>, int> meshes_;
-    std::set<std::string> noted_;
+    std::set<std::string> noted_;  // texts, and attributes of too many numbers with theirs
 };
 
 void read_urdf(const Element& robot, Reading& reading);

@@ -5,11 +5,7 @@
 // are a graph: the first one of a child is its place in the tree, and a later one closes a loop (of a hinge, by
 // two points on its axis). A gearbox couples the two hinges on its reference body,  theta_2 = - ratio theta_1.
 #include "robots/numbers.h"
-#include "robots/read/reading.h"
-
-#ifdef EPODE_HAVE_SDF
-#include <sdf/sdf.hh>
-#endif
+#include "robots/read/sdf_counts.h"
 
 namespace epode::robots {
 
@@ -562,6 +558,7 @@ void read_sdf(const Element& root, const std::string& text, Reading& reading)
             if (error.Code() != sdf::ErrorCode::LINK_INERTIA_INVALID)  // load.cpp judges inertias
                 reading.note(Note::kError, reading.model.path, error.LineNumber().value_or(0),
                              error.Message());
+        if (!reading.model.has_errors()) check_sdf_counts(document.Element(), root, reading);
         if (!reading.model.has_errors()) Sdf(reading, folder_of(root.file())).read(document);
     } catch (const std::exception& problem) {
         reading.error(root, std::string("libsdformat: ") + problem.what());

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "robots/numbers.h"
-#include "robots/read/reading.h"
+#include "robots/read/counts.h"
 
 namespace epode::robots {
 
@@ -106,6 +106,7 @@ void Urdf::read()
     model_.name = robot_.text("name");
     model_.touches_itself = false;
     note_others(robot_, {"link", "joint", "material", "transmission", "gazebo"});
+    check_urdf_counts(robot_, reading_);
     if (!collect()) return;
     std::set<std::string> is_child;
     for (const Edge& edge : edges_) {
