@@ -14,15 +14,16 @@
 namespace epode {
 
 struct StepInfo {
-    Real h = 0;                        // step size, s
-    Real fps = 0;                      // 1/h
-    Real erp = 0;                      // of the world
-    Real cfm = 0;                      // of the world
-    Real contact_layer = 0;            // depth that contacts may keep, m
-    Real touching_depth = 0;           // that contacts of several points keep, beyond rounding, m
-    Real contact_max_vel = kInf;       // limit of a contact's correcting velocity, m/s
-    Real correction = 1;               // share of the errors of positions that contacts without rows correct
-    bool cone = false;                 // friction of contact joints is bounded by an ellipse, not a box
+    Real h = 0;                   // step size, s
+    Real fps = 0;                 // 1/h
+    Real erp = 0;                 // of the world
+    Real cfm = 0;                 // of the world
+    Real contact_layer = 0;       // depth that contacts may keep, m
+    Real touching_depth = 0;      // that contacts of several points keep, beyond rounding, m
+    Real contact_max_vel = kInf;  // limit of a contact's correcting velocity, m/s
+    Real least_correction = 0;    // of world-managed contacts that are rows: slower ones are left out, m/s
+    Real correction = 1;          // share of the errors of positions that contacts without rows correct
+    bool cone = false;            // friction of contact joints is bounded by an ellipse, not a box
     bool friction_along_slip = false;  // of world-managed contacts: the first direction
     bool inner = false;  // a pose within a step that has begun: the number of rows must not change
 };

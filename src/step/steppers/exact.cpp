@@ -32,7 +32,7 @@ bool solve_stops_exactly(RowSystem& system, const World&, const Tasks& tasks, Ar
 
 ProblemForm form_in(const World& world, bool in_tree = false)
 {
-    return {.inertia = true, .coulomb = world.friction_cone, .keeps_momentum = in_tree};
+    return {.inertia = true, .coulomb = world.friction_cone, .keeps_momentum = in_tree, .shares_load = true};
 }
 
 ExactSettings settings_for(const IslandRun& run)

@@ -189,6 +189,10 @@ void place_terms(std::span<const BodyTerm> from, const RowSystem& system, const 
 
 namespace {
 
+// Of four contacts that carry a robot those nearest would have all of its load, by the nanometre that a float leaves: wheels next to
+// casters did not brake.
+constexpr Real kLeastCorrection = Real(5e-6);
+
 // Depth that contact joints keep. Sweeps in floats open what rests by up to 1e-6 of the fall of a step, more
 // sweeps converge. A layer keeps contacts in any case, and ODE has no such depth.
 Real touching_depth(const World& world, Real h)
@@ -278,6 +282,7 @@ StepInfo info_for(const World& world, Real h, const ProblemForm& form, const Isl
     if (form.keeps_depth) info.contact_layer = std::max(info.contact_layer, island.kept_depth);
     info.touching_depth = touching_depth(world, h);  // only sweeps take manifolds
     info.cone = world.friction_cone && form.cones;
+    if (form.shares_load && !world.acts_as_ode()) info.least_correction = kLeastCorrection;
     info.friction_along_slip = bounds_friction_along_slip(world, form);
     return info;
 }

@@ -34,7 +34,9 @@ struct ProblemForm {
     bool coulomb = false;         // friction is bounded by its present normal impulse (solve/exact/coulomb.h)
     bool keeps_depth = false;     // islands that settle keep a depth of contacts
     bool keeps_momentum = false;  // v* without gyroscopic effects: M v* is the momentum after all forces
-    bool has_substeps = false;    // bodies begin with their present velocities; forces follow in substeps
+    bool shares_load =
+        false;  // world-managed contacts that hardly correct do not: they share what they carry
+    bool has_substeps = false;  // bodies begin with their present velocities; forces follow in substeps
 };
 
 StepInfo step_info(const World& world, Real h);

@@ -90,7 +90,7 @@ void write_point(RowWriter& out, const Island& island, const ContactManifold& ma
     const Real separation = point.separation;
     if (manifold.compliance > 0) {
         soften(normal, manifold, separation, out.info().h);
-    } else {
+    } else if (std::fabs(separation) * out.info().fps > out.info().least_correction) {
         normal.error = std::max(-separation, Real(0));
         normal.speed = separation > 0 ? -separation * out.info().fps : 0;
         normal.cap = out.info().contact_max_vel;
