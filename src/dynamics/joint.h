@@ -49,6 +49,11 @@ struct JointAxis {
     Vec3 axis{};
 };
 
+// A line of a body, in its frame, about which a joint lets it turn.
+struct Axle {
+    Vec3 direction, point;
+};
+
 struct JointType {
     int number;        // dJointType
     const char* name;  // as in the C names: "Ball", "Hinge2"
@@ -63,9 +68,8 @@ struct JointType {
     bool (*get_param)(const Joint&, int param, Real& value);
     int (*axes)(const Joint&);               // how many it has; null: it has none
     JointAxis (*axis)(const Joint&, int i);  // of an attached joint
-    Vec3 (*axle)(const Joint&,
-                 int node);  // in the frame of the body there, which is free to turn about it; null: none
-    LimitMotor* (*stops)(Joint&, int i);  // of an axis; null, or returns null: none
+    Axle (*axle)(const Joint&, int node);    // of the body there; null: it has none
+    LimitMotor* (*stops)(Joint&, int i);     // of an axis; null, or returns null: none
     // Of an axis: whether its turns are counted without stops too; lets it be so, from the position that it has now;
     // and lets the turns of all axes be unknown where they are not.
     bool (*continuous)(const Joint&, int i);

@@ -37,7 +37,7 @@ struct JointTypeOf;
 const JointType* joint_type(int number);
 
 // Says in words what a struct lacks to be a joint type. Optional members: bodies_changed(), set_param(int,
-// Real), get_param(int, Real&), Vec3 axle(int node), state(StateStream&) of what it keeps from step to step and of its settings
+// Real), get_param(int, Real&), Axle axle(int node), state(StateStream&) of what it keeps from step to step and of its settings
 // that are numbers of motors and softness, kNeedsTwoBodies, shift(Vec3) of what it keeps in the world's
 // frame, axes() and axis_at(int), which give the type
 // coordinates and drives, AxisMotor motor_at(int), which must come with them, LimitMotor* stops_of(int axis)

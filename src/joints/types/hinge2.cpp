@@ -34,7 +34,7 @@ struct Hinge2 : LastingJoint {
 
     bool complete() const { return body1() && body2(); }
     Vec3 axis(int i) const { return direction_to_world(node[i].body, axis_local[i]); }
-    Vec3 axle(int i) const { return axis_local[i]; }
+    Axle axle(int i) const { return {axis_local[i], anchor.local[i]}; }
     Real angle(int i) const
     {
         const Vec3 other = direction_to_local(node[i].body, axis(1 - i));

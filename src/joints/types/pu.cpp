@@ -40,7 +40,7 @@ struct PU : LastingJoint {
         return rate_along(*this, row);
     }
     Vec3 user_axis(int i) const { return arms.axis(*this, node_of(*this, i)); }
-    Vec3 axle(int i) const { return arms.local[i]; }
+    Axle axle(int i) const { return {arms.local[i], anchor.local[i]}; }
     Real user_angle(int i) const { return arms.angle(*this, node_of(*this, i)); }
     Real user_rate(int i) const { return arms.rate(*this, node_of(*this, i)); }
 

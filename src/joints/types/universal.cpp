@@ -23,7 +23,7 @@ struct Universal : LastingJoint {
     LimitMotor motor[2];
 
     Vec3 user_axis(int i) const { return arms.axis(*this, node_of(*this, i)); }
-    Vec3 axle(int i) const { return arms.local[i]; }
+    Axle axle(int i) const { return {arms.local[i], anchor.local[i]}; }
     Real user_angle(int i) const
     {
         const Real angle = arms.angle(*this, node_of(*this, i));
