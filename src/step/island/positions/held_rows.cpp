@@ -69,6 +69,7 @@ void HeldRows::choose_rows(RowSystem& to)
 int HeldRows::choose_rows_of(int k, std::span<const Row> now, RowSystem& to, int rows)
 {
     const RowBlock& block = work_.system.blocks[std::size_t(k)];
+    const Real per_arm = 1 / longest_arm(work_, block);
     for (int i = 0; i < block.count; ++i) {
         const int source = block.first + i;
         const Row& row = work_.system.rows[std::size_t(source)];
@@ -76,7 +77,7 @@ int HeldRows::choose_rows_of(int k, std::span<const Row> now, RowSystem& to, int
         if (has_rotor(row) && has_equalities(block)) {
             holds_[std::size_t(rows)] = {source, 0, 0, false, row.drive->inertia};
         } else if (holds_position(row, block, work_.system)) {
-            holds_[std::size_t(rows)] = hold_of(row, k, source, present);
+            holds_[std::size_t(rows)] = hold_of(row, k, source, present, per_arm);
             one_sided_ |= row.lo == 0 || row.hi == 0;
         } else {
             continue;
@@ -86,10 +87,9 @@ int HeldRows::choose_rows_of(int k, std::span<const Row> now, RowSystem& to, int
     return rows;
 }
 
-Hold HeldRows::hold_of(const Row& row, int k, int source, const Row* now) const
+Hold HeldRows::hold_of(const Row& row, int k, int source, const Row* now, Real per_arm) const
 {
     const RowBlock& block = work_.system.blocks[std::size_t(k)];
-    const Real per_arm = 1 / longest_arm(work_, block);
     Hold hold{source, 0, turns_only(row) ? Real(1) : per_arm, !now || row.given};
     hold.error = hold.follows ? row.error - motion(row, block) : now->error;
     if (row.kind == RowKind::kNormal) aim_at_depth(row, k, per_arm, hold);

@@ -53,7 +53,7 @@ class HeldRows {
     const Body& body(int i) const { return *work_.island.bodies[std::size_t(i)]; }
     void choose_rows(RowSystem& to);
     int choose_rows_of(int k, std::span<const Row> now, RowSystem& to, int rows);
-    Hold hold_of(const Row& row, int k, int source, const Row* now) const;
+    Hold hold_of(const Row& row, int k, int source, const Row* now, Real per_arm) const;
     void aim_at_depth(const Row& normal, int block, Real per_arm, Hold& hold) const;
     Real motion(const Row& row, const RowBlock& block) const;
     Real to_close(const Hold& hold) const;
