@@ -145,10 +145,13 @@ Real HeldRows::to_close(const Hold& hold) const
     return row.lo == 0 ? std::max(e, Real(0)) : row.hi == 0 ? std::max(-e, Real(0)) : std::fabs(e);
 }
 
-Asked HeldRows::asked() const
+Asked HeldRows::asked(bool by_contacts) const
 {
     Asked asked;
-    for (const Hold& hold : holds_) asked.add(step_row(hold), double(to_close(hold)));
+    for (const Hold& hold : holds_) {
+        const Row& row = step_row(hold);
+        if ((row.kind == RowKind::kNormal) == by_contacts) asked.add(row, double(to_close(hold)));
+    }
     return asked;
 }
 

@@ -35,8 +35,8 @@ class HeldRows {
     Real worst() const { return worst_; }
     Real merit() const { return merit_; }
     bool one_sided() const { return one_sided_; }
-    // What all errors ask for in one step of length 1.
-    Asked asked() const;
+    // What all errors ask for in one step of length 1: those of contacts, or of joints.
+    Asked asked(bool by_contacts) const;
     // Of all rows that follow the motion.
     Real followed_errors() const;
     const RowBlock& source_of(std::size_t block) const;

@@ -76,17 +76,21 @@ class Projection {
   private:
     Body& body(std::size_t i) const { return *work_.island.bodies[i]; }
 
-    // Of a Newton step: that with which m d^2 is at most twice what all errors could ask of all bodies at once (asked.h). What is
-    // wedged would be carried away for them.
+    // Of a Newton step: that with which m d^2 is at most twice what all errors could ask of all bodies at once (asked.h), and what joints
+    // ask at most that of kCorrecting. What is wedged would be carried away for them.
     Real share_that_errors_ask_for() const
     {
-        double moved = 0;
+        double moved = 0, mass = 0;
         for (std::size_t i = 0; i < system_.bodies.size(); ++i) {
             const SolverBody& s = system_.bodies[i];
-            if (!moves_by_itself(s))
-                moved += 2 * kinetic_of(body(i), s.v, transposed_times(body(i).rotation(), s.w));
+            if (moves_by_itself(s)) continue;
+            moved += 2 * kinetic_of(body(i), s.v, transposed_times(body(i).rotation(), s.w));
+            mass += double(body(i).mass.mass);
         }
-        const double allowed = 2 * energy_of(held_.asked(), work_, 0);
+        const double furthest = double(kCorrecting * work_.system.h);
+        const double allowed =
+            2 * energy_of(held_.asked(true), work_, 0) +
+            std::min(2 * energy_of(held_.asked(false), work_, 0), mass * furthest * furthest);
         return moved > allowed ? Real(std::sqrt(allowed / moved)) : Real(1);
     }
 
