@@ -54,7 +54,7 @@ struct ContactPair {
     int first = 0;        // place of its manifolds
     union {
         std::uint32_t separating_axis = 0;  // of solids: a direction that has separated them, packed
-                                            // (contacts/pair_separation.h)
+                                            // (contacts/ahead/pair_separation.h)
         int leaves;                         // of a solid and a mesh: place of what they keep of it
     };
     std::uint8_t count = 0;  // of them

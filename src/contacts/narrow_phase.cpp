@@ -7,10 +7,11 @@
 
 #include "collide/collide.h"
 #include "collide/solid_type.h"
+#include "contacts/ahead/pair_ahead.h"
+#include "contacts/ahead/pair_separation.h"
 #include "contacts/manifold_points.h"
 #include "contacts/material.h"
 #include "contacts/pair_rules.h"
-#include "contacts/pair_separation.h"
 
 namespace epode {
 namespace {
@@ -20,6 +21,7 @@ constexpr Real kLayerShare = Real(1e-3);  // of the carried size, the layer at m
 constexpr Real kReuseLayer = Real(0.25);  // of the layer, for others
 constexpr Real kSwift = Real(0.02);       // of the size, a way in one step
 constexpr Real kNear = Real(0.3);         // of the size, at most, for points that do not touch yet
+constexpr Real kShallow = Real(0.1);      // of the thickness
 constexpr int kSolidPoints = kManifoldPoints;  // that are asked for
 constexpr int kSurfacePoints = 16;
 
@@ -186,49 +188,43 @@ class PairUpdate {
         out.margin = margin();
         const Aabb &box1 = box_of(g1_), &box2 = box_of(g2_);
         if (!apart_ && overlap(box1, box2)) epode::collide(g1_, g2_, out);
-        if (out.count > 0) return take(out, pose1_, pose2_, old, Anchors::kTogether);
+        if (!settings_.foresees)
+            return out.count > 0 ? take(out, pose1_, pose2_, old, Anchors::kTogether) : void();
+        const PairAhead ahead(pair_, {g1_, pose1_}, {g2_, pose2_}, settings_.soon, size());
+        if (out.count == 0) return ahead.way() > layer() ? foresee(ahead, out) : void();
+        // More than gravity moves what rests.
+        const bool moves = ahead.present_way() > layer();
+        if ((moves || old.empty()) && !knows_corners()) ahead.add_far(pose1_, pose2_, out);
+        if (moves && pair_.max_manifolds > 1) ahead.add_crossed(out);
+        take(out, pose1_, pose2_, old, Anchors::kTogether);
+    }
+
+    // What does not touch yet may do so at the end of the step, or before.
+    void foresee(const PairAhead& ahead, ContactArray& out)
+    {
         const SpeculativeMotion& soon = settings_.soon;
-        if (!draws_near() || !overlap(soon.box(pair_.body1, box1), soon.box(pair_.body2, box2))) return;
-        const Pose soon1 = soon.pose(pair_.body1, pose1_), soon2 = soon.pose(pair_.body2, pose2_);
-        if (can_be_separated() && find_separating_axis(soon1, soon2)) return;
+        const bool swift = ahead.is_swift();
+        if (!ahead.may_meet(swift)) return;
+        const Pose soon1 = ahead.first_after(soon), soon2 = ahead.second_after(soon);
+        if (!swift && can_be_separated() && find_separating_axis(soon1, soon2)) return;
         if (are_loose_balls()) return meet(soon1, soon2);
-        collide_at(g1_, soon1, g2_, soon2, out);
-        expect(out, soon);
-        if (SpeculativeMotion met{}; has_passed() && look_earlier(out, met)) expect(out, met);
+        const SpeculativeMotion met = ahead.find(swift, out);
+        expect(ahead, met, out);
+        if (has_passed()) expect(ahead, ahead.find_earlier(met, out), out);
         drop_passed();
     }
 
-    // The contacts of the two after `soon`.
-    void expect(ContactArray& out, const SpeculativeMotion& soon)
+    // The contacts of the two after `met`.
+    void expect(const PairAhead& ahead, const SpeculativeMotion& met, ContactArray& out)
     {
-        const Pose soon1 = soon.pose(pair_.body1, pose1_), soon2 = soon.pose(pair_.body2, pose2_);
-        for (int i = 0; i < out.count; ++i) move_to_surface(*out.at(i), soon2);
-        take(out, soon1, soon2, {}, Anchors::kOnSurfaces);
+        pair_.count = 0;
+        if (out.count == 0) return;
+        const Pose met1 = ahead.first_after(met), met2 = ahead.second_after(met);
+        for (int i = 0; i < out.count; ++i) ahead.move_to_surface(*out.at(i), met);
+        if (!knows_corners()) ahead.add_far(met1, met2, out);
+        take(out, met1, met2, {}, Anchors::kOnSurfaces);
         if (rounds_on_what_stands(pair_))
-            for (CachedManifold& part : parts_.first(pair_.count)) look_back(part, soon, soon1, soon2);
-    }
-
-    // Who ends the step nearer to the far side of a thin floor leaves it there; on its way it met the near side. Bisects for a time at which
-    // it is still shallow: a die of 16 mm falls through 20 mm at 2 m/s otherwise.
-    bool look_earlier(ContactArray& out, SpeculativeMotion& met)
-    {
-        constexpr int kHalvings = 6;
-        met = settings_.soon;
-        Real apart = 0;
-        for (int i = 0; i < kHalvings; ++i) {
-            SpeculativeMotion middle = met;
-            middle.h = Real(0.5) * (apart + met.h);
-            collide_after(middle, out);
-            (out.count > 0 ? met.h : apart) = middle.h;
-        }
-        collide_after(met, out);
-        return out.count > 0;
-    }
-
-    void collide_after(const SpeculativeMotion& soon, ContactArray& out)
-    {
-        out.count = 0;
-        collide_at(g1_, soon.pose(pair_.body1, pose1_), g2_, soon.pose(pair_.body2, pose2_), out);
+            for (CachedManifold& part : parts_.first(pair_.count)) look_back(part, ahead, met);
     }
 
     // Balls on joints keep arms to one point: joints balance the blow where the bodies are as the step begins.
@@ -267,66 +263,24 @@ class PairUpdate {
         return {now.p + s * (soon.p - now.p), now.R};
     }
 
-    // Is it worth while to look where the two will be?
-    bool draws_near() const { return settings_.foresees && way() > layer(); }
-
-    // Of the smaller one's surface in the frame of the other, in the step.
-    Real way() const
-    {
-        const Vec3 v = settings_.soon.velocity(pair_.body1) - settings_.soon.velocity(pair_.body2);
-        const Real turned = spin(pair_.body1) + spin(pair_.body2);
-        return settings_.soon.h * (length(v) + size() * turned);
-    }
-
-    static Real spin(const Body* body) { return body ? length(body->angular_velocity()) : 0; }
-
-    // Pair functions give the place of a contact on one of the two surfaces, or between them; what meets at the end
-    // of the way is deep by much of it, and still apart now. Moves the place to the surface of g1. Planes, meshes
-    // and height fields give it on the solid's; two solids anywhere, and the part of g1 that is d deep is by d
-    // below the top of g2 along the normal.
-    void move_to_surface(dContactGeom& c, const Pose& soon2) const
-    {
-        const Vec3 n = load(c.normal), at = load(c.pos);
-        const Real depth = c.depth > 0 ? c.depth : 0;
-        Real inside = depth / 2;
-        if (is_solid(g1_) && is_solid(g2_)) {
-            const ConvexView other = solid_view(g2_, soon2);
-            const Real top = dot(n, other.support(n)) + other.radius;
-            inside = std::clamp(dot(n, at) - top + depth, Real(0), depth);
-        } else if (is_solid(g1_) || is_solid(g2_)) {
-            inside = is_solid(g1_) ? 0 : depth;
-        }
-        store(c.pos, at - inside * n);
-    }
-
     // Points of round solids on what stands, found at the end of the way, seen from now. Solvers let a gap
     // change by n . (v + w x r), as if points moved straight on: r is therefore the arm where the two meet,
     // and the gap the one that so becomes what was found. (Fixed in the body, the lowest point of a ball that
     // rolls a millimetre above the ground is in front now, comes down, and throws it up. Corners of polyhedra
     // are fixed.)
-    void look_back(CachedManifold& part, const SpeculativeMotion& soon, const Pose& soon1,
-                   const Pose& soon2) const
+    void look_back(CachedManifold& part, const PairAhead& ahead, const SpeculativeMotion& met) const
     {
-        const Vec3 way1 = soon.h * soon.velocity(pair_.body1), way2 = soon.h * soon.velocity(pair_.body2);
+        const Pose met1 = ahead.first_after(met), met2 = ahead.second_after(met);
         const Vec3 n = widen(part.manifold.normal);
         for (int i = 0; i < part.manifold.count; ++i) {
             ManifoldPoint& point = part.manifold.points[i];
-            const Vec3 at1 = soon1.p + soon1.R * widen(part.found.anchors.first(i)),
-                       at2 = second_frame(soon2).to_world(widen(part.found.anchors.second(i)));
-            // Until then the point goes along with the one that moves, see solve/substeps/manifold_kernels.inc.
-            const Vec3 at = moves(pair_.body1) ? at1 - way1 : at2 - way2;
-            const Vec3 r1 = at - x1_, r2 = at - x2_;
-            const Vec3 u =
-                way1 + soon.h * turn_of(pair_.body1, r1) - way2 - soon.h * turn_of(pair_.body2, r2);
-            point.r1 = narrow(r1);
-            point.r2 = narrow(pair_.body2 ? r2 : Vec3{});
-            point.separation = float(dot(n, at1 - at2) + layer() - dot(n, u));
+            const Vec3 at1 = met1.p + met1.R * widen(part.found.anchors.first(i)),
+                       at2 = second_frame(met2).to_world(widen(part.found.anchors.second(i)));
+            const Vec3 at = ahead.straight_back(at1, at2, met);
+            point.r1 = narrow(at - x1_);
+            point.r2 = narrow(pair_.body2 ? at - x2_ : Vec3{});
+            point.separation = float(dot(n, at1 - at2) + layer() - dot(n, ahead.approach(at, met)));
         }
-    }
-
-    static Vec3 turn_of(const Body* body, Vec3 r)
-    {
-        return body ? cross(body->angular_velocity(), r) : Vec3{};
     }
 
     // Whether a point has a negative separation: at the end of the step that part of the pair would be inside the other
@@ -379,7 +333,8 @@ class PairUpdate {
     Real margin() const
     {
         if (!looks_ahead()) return 0;
-        const Real size = this->size(), way = this->way();
+        const Real size = this->size();
+        const Real way = PairAhead(pair_, {g1_, pose1_}, {g2_, pose2_}, settings_.soon, size).way();
         return way > kSwift * size ? std::min(2 * way, kNear * size) : kReuse * size;
     }
 

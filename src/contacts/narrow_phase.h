@@ -7,14 +7,14 @@
 // manifold that misses nothing, as do four points under a face, and those of two polyhedra, which are found
 // with a margin of as much; a quarter of the surface layer for others. Round solids that do not stand on a face are collided in every step: where they touch is
 // no point of them, and one that rolls would leave its normal and its points behind, and be pushed on by them. What is collided again finds its
-// impulses by place. Pairs that did not touch get a separation test first (contacts/pair_separation.h).
+// impulses by place. Pairs that did not touch get a separation test first (contacts/ahead/pair_separation.h).
 #pragma once
 
 #include <span>
 
 #include "bvh/near_leaves.h"
 #include "contacts/contact_pair.h"
-#include "contacts/speculative_motion.h"
+#include "contacts/ahead/speculative_motion.h"
 
 namespace epode {
 

@@ -10,7 +10,7 @@
 #include "collide/space.h"
 #include "contacts/active_geoms.h"
 #include "contacts/contact_pair.h"
-#include "contacts/speculative_motion.h"
+#include "contacts/ahead/speculative_motion.h"
 
 namespace epode {
 

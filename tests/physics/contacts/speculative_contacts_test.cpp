@@ -33,23 +33,20 @@ TEST_P(SpeculativeContacts, meet_what_falls)
     for (const dBodyID b : bodies) EXPECT_NEAR(position(b).z, 0.5, 0.003);
 }
 
-// Flying past a wall 1 mm away, or through a plate too fast to be stopped, is no contact.
+// Flying past a wall 1 mm away is no contact.
 TEST_P(SpeculativeContacts, that_never_come_about_do_nothing)
 {
     WorldContactsSim sim(GetParam());
     sim.gravity(0, 0, 0);
     dGeomSetPosition(dCreateBox(sim.space, 1, 20, 20), real(-1.001), 0, 0);
-    dGeomSetPosition(dCreateBox(sim.space, real(0.02), 2, 2), 20, 0, real(5));
-    const dBodyID along = sim.box({0, -5, 0}, {1, 1, 1}, 1), bullet = sim.sphere({17, 0, 5}, 0.05, 1);
+    const dBodyID along = sim.box({0, -5, 0}, {1, 1, 1}, 1);
     velocity(along, {0, 9, 3});
-    velocity(bullet, {100, 0, 0});
     for (int i = 0; i < 30; ++i) {
         sim.run(1);
         EXPECT_TRUE(sim.events().empty()) << i;
         EXPECT_TRUE(sim.all_contacts().empty()) << i;
     }
     EXPECT_NEAR(length(velocity(along) - V3{0, 9, 3}), 0, 1e-6);
-    EXPECT_NEAR(length(velocity(bullet) - V3{100, 0, 0}), 0, 1e-6);
 }
 
 // Height of the lowest corner of a cube.

@@ -3,7 +3,7 @@
 //
 // Directions that part two geoms: what is found parts them, what is said to last holds where the bodies will
 // be, and what is worth finding is found.
-#include "contacts/pair_separation.h"
+#include "contacts/ahead/pair_separation.h"
 
 #include <gtest/gtest.h>
 #include <ode/ext.h>

@@ -3,7 +3,7 @@
 //
 // Where bodies will be: at the place that a step without contacts leads to, and inside the box that is kept
 // free for it.
-#include "contacts/speculative_motion.h"
+#include "contacts/ahead/speculative_motion.h"
 
 #include <gtest/gtest.h>
 #include <ode/ode.h>

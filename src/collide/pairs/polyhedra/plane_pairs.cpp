@@ -61,6 +61,21 @@ void rim_directions(Real low_x, Real low_y, Real weight, Real (&out)[4][2])
     out[nearest][0] = x / k, out[nearest][1] = y / k;
 }
 
+// The four deepest corners of a rod that comes down on one end are those of this end; it lands on the side that looks down most.
+[[gnu::noinline]] void add_lowest_side(Vec3 middle, const Vec3 (&sides)[3][2], Vec3 n, const Plane& plane,
+                                       ContactSink& sink)
+{
+    const Vec3 slant = abs(n);
+    const int k = slant.x >= slant.y && slant.x >= slant.z ? 0 : slant.y >= slant.z ? 1 : 2;
+    const Vec3 side = middle + sides[k][n[k] > 0];
+    for (const Vec3& one : sides[(k + 1) % 3])
+        for (const Vec3& other : sides[(k + 2) % 3]) {
+            const Vec3 corner = side + (one + other);
+            const Real depth = plane.d - dot(plane.normal, corner);
+            if (depth >= -sink.margin()) sink.add({corner, plane.normal, depth});
+        }
+}
+
 }  // namespace
 
 void box_plane(const Box& a, const Pose& A, const Plane& b, const Pose&, ContactSink& sink)
@@ -75,10 +90,12 @@ void box_plane(const Box& a, const Pose& A, const Plane& b, const Pose&, Contact
                           lean.x - lean.y - lean.z};
     const Real tie = 16 * kEpsilon * (reach + std::fabs(clearance));
     Real depths[4];  // deepest first, ties by vertex number
-    int vertices[4], count = 0;
+    int vertices[4], count = 0, near = 0;
     for (int i = 0; i < 8; ++i) {
         const Real depth = -(clearance + (i & 4 ? -sums[7 - i] : sums[i]));
-        if (!(depth >= -sink.margin()) || (count == 4 && depth <= depths[3] + tie)) continue;
+        if (!(depth >= -sink.margin())) continue;
+        ++near;
+        if (count == 4 && depth <= depths[3] + tie) continue;
         int k = count < 4 ? count++ : 3;
         for (; k > 0 && depth > depths[k - 1] + tie; --k)
             depths[k] = depths[k - 1], vertices[k] = vertices[k - 1];
@@ -86,6 +103,7 @@ void box_plane(const Box& a, const Pose& A, const Plane& b, const Pose&, Contact
     }
     const Vec3 x = a.half.x * A.R.column(0), y = a.half.y * A.R.column(1), z = a.half.z * A.R.column(2);
     const Vec3 sides[3][2] = {{x, -x}, {y, -y}, {z, -z}};
+    if (near > 4 && depths[3] < 0) return add_lowest_side(A.p, sides, n, b, sink);
     for (int k = 0; k < count; ++k) {
         const int i = vertices[k];
         sink.add({A.p + (sides[0][i >> 2] + sides[1][i >> 1 & 1] + sides[2][i & 1]), b.normal, depths[k]});

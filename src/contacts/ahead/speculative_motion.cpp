@@ -3,7 +3,7 @@
 //
 // A point of the geom strays from where its translation takes it by at most the angle times its distance from
 // the body's centre, and no point is farther from there than the middle of the box and half its diagonal.
-#include "contacts/speculative_motion.h"
+#include "contacts/ahead/speculative_motion.h"
 
 #include "dynamics/integrate.h"
 #include "math/rotation.h"

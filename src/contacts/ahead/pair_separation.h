@@ -12,7 +12,7 @@
 
 #include <cstdint>
 
-#include "contacts/speculative_motion.h"
+#include "contacts/ahead/speculative_motion.h"
 
 namespace epode {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
-#include "contacts/pair_separation.h"
+#include "contacts/ahead/pair_separation.h"
 
 #include <cmath>
 
