@@ -31,12 +31,20 @@ Real Tyre::start(Real bristle, Real h) const
     return (1 - damping() * rolling / L) * bristle / ((1 + h * rolling / L) * L);
 }
 
+Real Tyre::strain(Real bristle_x, Real bristle_y) const
+{
+    const Real zx = scale_x() * bristle_x / of.relaxation, zy = scale_y() * bristle_y / of.relaxation;
+    return std::sqrt(zx * zx + zy * zy);
+}
+
 void Tyre::roll(Real& bristle_x, Real& bristle_y, Real slip_x, Real slip_y, Real h) const
 {
-    const Real L = of.relaxation, k = 1 / (1 + h * rolling / L);
+    const Real before = strain(bristle_x, bristle_y);
+    if (before > 1 && rolling < kStandstill && slip_x * bristle_x + slip_y * bristle_y < 0)
+        bristle_x *= kGivenBack / before, bristle_y *= kGivenBack / before;
+    const Real k = 1 / (1 + h * rolling / of.relaxation);
     const Real x = k * (bristle_x + h * slip_x), y = k * (bristle_y + h * slip_y);
-    const Real zx = scale_x() * x / L, zy = scale_y() * y / L, z = std::sqrt(zx * zx + zy * zy);
-    const Real kept = z > kMostStored ? kMostStored / z : Real(1);
+    const Real z = strain(x, y), kept = z > kMostStored ? kMostStored / z : Real(1);
     bristle_x = kept * x, bristle_y = kept * y;
 }
 

@@ -17,6 +17,9 @@
 // up to z = 1, where the whole contact slides; beyond, friction falls to the share k, with the slope 0 at z =
 // 1, as measured curves do (Pacejka, Tire and Vehicle Dynamics, ch. 4). c: stiffness over load; near zero
 // F_x = c_x N s_x. One z for both directions is the friction ellipse.
+// A tread that has slid to a standstill gives back less than it took: where V turns against u with z > 1, u falls to
+// where a brush unloads to by Masing's rule, y(z / 2) = 1/2. A car that has braked with locked wheels rocks back; with
+// all of u it was thrown back. Where the wheel rolls, rolling lets u go.
 // A step is implicit in V, which the force changes: s = s_0 + b V at its end, and F = N g(z) c s with the
 // secant g(z) = y(z) / (3 z), which the solver takes from the last iteration.
 #pragma once
@@ -28,6 +31,9 @@ namespace epode {
 inline constexpr Real kTreadDamping = Real(0.02);  // tau, s, of a tyre that does not roll
 inline constexpr Real kFallWidth = Real(0.7);      // b
 inline constexpr Real kMostStored = 3;             // z of the deflection that is kept
+inline constexpr Real kStandstill = Real(0.5);     // D, m/s
+inline constexpr Real kGivenBack =
+    Real(0.41259894803180064);  // 2 - 2^(2/3): z of what a tread that slides gives back
 
 // y(z) / (3 z): 1 at z = 0.
 Real tyre_secant(Real z, Real sliding);
@@ -42,10 +48,11 @@ struct Tyre {
     Real scale_x() const { return of.stiffness_x / (3 * of.friction_x); }
     Real scale_y() const { return of.stiffness_y / (3 * of.friction_y); }
 
-    // u after h with the velocity V, and no more than kMostStored.
+    // u after h with the velocity V, and no more than kMostStored, or kGivenBack.
     void roll(Real& bristle_x, Real& bristle_y, Real slip_x, Real slip_y, Real h) const;
 
   private:
+    Real strain(Real bristle_x, Real bristle_y) const;  // z of a deflection
     Real damping() const { return kTreadDamping / (1 + kTreadDamping * rolling / of.relaxation); }
 };
 

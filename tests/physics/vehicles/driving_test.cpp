@@ -55,6 +55,32 @@ TEST_P(Driving, stops_in_the_distance_of_the_books)
     }
 }
 
+// After a stop with locked wheels it goes back by what its springs were pitched and by what treads give back that have slid: 2 - 2^(2/3) of
+// the deflection with which they begin to (vehicles/tyre.h).
+TEST_P(Driving, rocks_back_a_little_from_locked_wheels)
+{
+    Road road;
+    road.flat();
+    Wheels wheels;
+    wheels.like.brake_torque = 20000;
+    const dBodyID car = road.car(wheels, plain_settings(), 20);
+    dVehicleSetGear(car, 0);
+    road.run(car, 1, h());
+    drive(car, 0, 1);
+    double farthest = x_of(car), backward = 0;
+    for (double t = 0; t < 5; t += h()) {
+        road.run(car, h(), h());
+        farthest = std::max(farthest, x_of(car));
+        backward = std::min(backward, double(dBodyGetLinearVel(car)[0]));
+    }
+    const double high = Road::height(wheels.like),
+                 pitch = kMass * kG * high / (kBase * kBase * wheels.like.stiffness);
+    const double tread = (2 - std::cbrt(4)) * 3 * wheels.like.relaxation / wheels.like.stiffness_x;
+    EXPECT_NEAR(farthest - x_of(car), high * pitch + tread, 0.002);
+    EXPECT_GT(backward, -0.5);
+    EXPECT_LT(speed(car), 1e-3);
+}
+
 // m' v' = -f m g with m' = m + sum I / R^2.
 TEST_P(Driving, coasts_down_by_rolling_resistance)
 {
