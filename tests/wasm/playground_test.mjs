@@ -128,6 +128,7 @@ test('a robot of a URDF without actuators gets a slider a joint, stands on the f
     assert.throws(() => choose(engine, new Map([['bad.urdf', new TextEncoder().encode('<robot name="r">\n<link/></robot>')]])), /^RobotError?|bad\.urdf:2: /);
     assert.equal(robot.sliders, sliders);
     with_scene('robot', {}, simulation => assert.ok(is_sound(run(simulation, 0.1))));
+    choose(engine);
     Object.assign(robot, before);
     messages.splice(0);
 });

@@ -149,9 +149,9 @@ export const robot = {
 
 /**
  * Reads another robot. Throws, and the one before stays, where its files are at fault.
- * files: a map of paths; options: robots.load's. Returns the model.
+ * files: a map of paths, or the arm's of the beginning; options: robots.load's. Returns the model.
  */
-export function choose(engine, files, options = {}) {
+export function choose(engine, files = kDefault, options = {}) {
     const before = chosen;
     chosen = {files, options};
     try {
