@@ -9,7 +9,7 @@
 //             is in the middle, tyres are proportional to load): r (L / v_x) = tan(delta - alpha) + tan(alpha); y(c alpha) = v r / (mu g)
 //   brakes    locked from 20 m/s: v^2 / (2 mu g)
 //   slope     parked with the brake on 15 degrees
-import {Jolt, EpodeWorld, JoltWorld, compare, figure, kGravity, mean, numbers, play, rms, time_of, vec} from './common.mjs';
+import {Jolt, EpodeWorld, JoltWorld, compare, figure, kGravity, largest, mean, numbers, play, rms, time_of, vec} from './common.mjs';
 
 const kMass = 1200, kBase = 2.6, kTrack = 1.5, kRadius = 0.33, kHub = -0.4, kTravel = 0.25, kSpring = 30000, kDamping = 3000, kMaxSteer = 0.6;
 const kStiffnessX = 18, kStiffnessY = 14, kTorque = 300, kGear = 2.1, kFinal = 3.8, kBrake = 4000, kSpeed = 10;
@@ -161,7 +161,9 @@ function centre(points) {
     return [ox + (xr * yy - yr * xy) / det, oy + (yr * xx - xr * xy) / det];
 }
 
-function slip_of({velocity: [vx, vy], yaw, forward: [fx, fy]}) {
+// Of the middle of three samples: its heading against the path, which is what one sees. Velocities are those of the middles of steps.
+function slip_of({yaw, forward: [fx, fy]}, before, after, rate) {
+    const [vx, vy] = [0, 1].map(k => (after.place[k] - before.place[k]) * rate / 2);
     return Math.atan2(yaw * kBase / 2 - (vy * fx - vx * fy), vx * fx + vy * fy);
 }
 
@@ -173,7 +175,7 @@ function circle(World, rate, delta) {
     return [
         ['speed, m/s', figure(kSpeed), figure(speed, 4)],
         ['yaw rate over that of the bicycle model at this speed, %', '0', figure(100 * (mean(rates) / model.rate - 1), 2)],
-        ['slip angle of the rear axle over the model\'s, %', '0', figure(100 * (mean(steady.map(slip_of)) / model.alpha - 1), 2)],
+        ['slip angle of the rear axle over the model\'s, %', '0', figure(100 * (mean(steady.slice(1, -1).map((s, i) => slip_of(s, steady[i], steady[i + 2], rate))) / model.alpha - 1), 2)],
         ['jitter of the yaw rate, rms, %', '0', figure(100 * rms(rates.map(r => r / mean(rates) - 1)), 2)],
         ['drift of the centre in 30 s, m', '0', figure(Math.hypot(last[0] - first[0], last[1] - first[1]), 2)],
         ['heave, rms, mm', '0', figure(1000 * rms(steady.map(s => s.place[2] - mean(steady.map(t => t.place[2])))), 2)],
@@ -189,6 +191,7 @@ function brakes(World, rate) {
     return [
         ['speed as it brakes, m/s', '20', figure(v, 4)],
         ['distance over v²/(2 mu g), %', '0', figure(100 * ((stop.place[0] - start.place[0]) / (v * v / (2 * kGravity)) - 1), 2)],
+        ['goes back once it has stopped, mm', '', figure(1000 * (largest(samples.map(s => s.place[0])) - stop.place[0]), 2)],
         ['off its line, mm', '0', figure(1000 * stop.place[1], 2)],
         ['creep in the 2 s after, mm', '0', figure(1000 * creep, 2)],
         ['creep in 30 s on 15 degrees, mm', '0', figure(1000 * Math.hypot(...parked.at(-1).place.map((x, k) => x - parked[2 * rate].place[k])), 2)],

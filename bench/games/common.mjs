@@ -5,13 +5,16 @@
 // floats), both as WebAssembly on one thread, with the same sizes and laws. x is forward, y left, z up; Jolt, whose manual has y up, gets
 // (x, y, z) as (z, x, y): forward +z, left +x. Numbers that scenes read are turned back.
 // Runs repeat bit for bit, so each step's time is the least of several runs: what remains is its own work, not the machine's other load.
+import {pathToFileURL} from 'node:url';
 import {load} from 'epode';
 import init_jolt from 'jolt-physics';
 
 export const kGravity = 9.81, kRates = [60, 120, 240];  // steps a second
 const kRuns = 5, kStill = 0, kMoving = 1;                // layers of Jolt
 
-export const epode = await load();
+// EPODE_MODULE: a module with functions that the package's own has not.
+const {EPODE_MODULE} = process.env;
+export const epode = await load(EPODE_MODULE ? {source: pathToFileURL(EPODE_MODULE)} : {});
 export const Jolt = await init_jolt();
 
 export const vec = ([x, y, z]) => new Jolt.Vec3(y, z, x);
