@@ -11,10 +11,11 @@ namespace epode {
 namespace {
 
 constexpr int kSlides = 8, kFrees = 16, kSlips = 3;
-constexpr Real kFoothold = Real(0.2);      // the least n . up of a touch that can bear a character
-constexpr Real kLanding = Real(0.1);       // of the skin: ground so much farther away is stood on still
-constexpr Real kLeaves = Real(1e-3);       // of the speed: leads away from the ground
-constexpr Real kStride = Real(0.1);        // of the radius: the least way onto a step
+constexpr Real kFoothold = Real(0.2);  // the least n . up of a touch that can bear a character
+constexpr Real kLanding = Real(0.1);   // of the skin: ground so much farther away is stood on still
+constexpr Real kLeaves = Real(1e-3);   // of the speed: leads away from the ground
+constexpr Real kStride =
+    Real(0.03);  // of the radius: the least way onto a step, a little over what kFoothold needs
 constexpr Real kNothing = Real(1e-12);     // m
 constexpr Real kRounding = 64 * kEpsilon;  // of a motion, how far it may lead into a plane that it follows
 
@@ -54,7 +55,7 @@ bool Mover::run()
     }
     character_.climbed = 0, character_.hit_wall = character_.hit_ceiling = false;
     free();
-    const Vec3 motion = h_ * velocity_;
+    const Vec3 motion = without_advance(h_ * velocity_);
     slide(grounded_ ? along_ground(motion, character_.ground_normal) : motion);
     if (grounded_) stick();
     settle();
@@ -149,6 +150,18 @@ void Mover::free()
 }
 
 // ---- slide ----
+
+// What climbing has gone in advance it owes along the same way; in another direction that is forgotten.
+Vec3 Mover::without_advance(Vec3 motion)
+{
+    const Vec3 owed = character_.inherited, level = without(motion, up_);
+    const Real asked = length(level);
+    if (!grounded_ || owed == Vec3{} || asked < nothing_) return motion;
+    const Vec3 ahead = level / asked;
+    const Real along = std::max(dot(owed, ahead), Real(0)), paid = std::min(along, asked);
+    character_.inherited = (along - paid) * ahead;
+    return motion - paid * ahead;
+}
 
 // The horizontal part stays, the vertical one follows the plane.
 Vec3 Mover::along_ground(Vec3 motion, Vec3 n) const
@@ -262,6 +275,7 @@ bool Mover::climb(Vec3& motion)
     character_.climbed += rise;
     at_ = q;
     motion = std::max(asked - forward, Real(0)) * ahead;
+    character_.inherited += std::max(forward - asked, Real(0)) * ahead;
     return true;
 }
 
@@ -328,13 +342,17 @@ void Mover::stand_on(const Touch& touch, Vec3 face)
 
 void Mover::settle()
 {
-    const bool rises = dot(velocity_, up_) > 0 && !grounded_;
+    const bool rises = dot(velocity_, up_) > 0 && !grounded_, stood = character_.state == dCharacterOnGround;
     Touch touch = support_at(at_);
     const Vec3 face = support_.face;
     // While it leaves the ground it does not stand.
     if (rises && dot(velocity_, face) > kLeaves * length(velocity_)) touch = {};
     character_.state = dCharacterOnGround;
-    if (touch.obstacle >= 0) return stand_on(touch, face);
+    if (touch.obstacle >= 0) {
+        if (!stood) character_.inherited = {};  // it has landed
+        return stand_on(touch, face);
+    }
+    if (stood) character_.inherited = {};
     character_.state = dCharacterInAir;
     Real rise = Real(0.05);
     for (int i = 0; i < around_.count() && !rises; ++i) {

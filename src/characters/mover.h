@@ -37,6 +37,7 @@ class Mover {
     [[nodiscard]] bool collect();
     void free();
     Vec3 way_out(Real& deepest);
+    Vec3 without_advance(Vec3 motion);
     void slide(Vec3 motion);
     void meet(const Touch& touch, Vec3 motion);
     Vec3 slide_normal(Vec3 n, Vec3 motion) const;

@@ -21,7 +21,8 @@ struct Character {
     // ---- what the last move has left ----
     Vec3 velocity;   // how it has really moved
     Vec3 momentum;   // of dCharacterWalk: the velocity that it takes into the air
-    Vec3 inherited;  // of dCharacterWalk: of what it has jumped from, without the part along up
+    Vec3 inherited;  // in the air, of dCharacterWalk: of what it has jumped from, without the part along up
+                     // on ground: the way that climbing has gone beyond what was asked for, m
     Vec3 ground_pos, ground_normal, ground_velocity;
     Pose ground_pose;  // of the ground's geom then
     Vec3 carried;      // by the ground

@@ -4,6 +4,8 @@
 // Characters on what does not move: walls, slopes, stairs, ledges, jumps, ceilings and seams, by closed forms.
 #include "stage.h"
 
+#include <algorithm>
+
 namespace epode::characters {
 namespace {
 
@@ -117,6 +119,25 @@ TEST_P(Walking, climbs_stairs_of_30_cm_and_comes_down_again)
     for (int i = 0; i * h() < 6.5; ++i) EXPECT_EQ(walk(c, {-1.5, 0, 0}, 0, h()), dCharacterOnGround);
     EXPECT_NEAR(feet(c).z, 0, 1e-3);
     EXPECT_LT(feet(c).x, 1);
+}
+
+// What a climb needs to go beyond what was asked for is taken from the next moves.
+TEST_P(Walking, climbs_stairs_as_fast_as_it_is_asked_to)
+{
+    for (const double v : {0.5, 1.9}) {
+        Stage stage;
+        stairs(stage, 0.3);
+        const dGeomID c = stage.add({}, settings());
+        double highest = 0, fastest = 0;
+        for (int i = 0; i < int(8 / v / h()); ++i) {
+            walk(c, {v, 0, 0}, 0, h());
+            fastest = std::max(fastest, feet(c).x - v * (i + 1) * h());
+            highest = std::max(highest, feet(c).z);
+        }
+        EXPECT_NEAR(highest, 3.0, 1e-3) << v;
+        EXPECT_LT(fastest, 0.012) << v;
+        EXPECT_NEAR(feet(c).x, v * int(8 / v / h()) * h(), 1e-6 + 100 * kRounding) << v;
+    }
 }
 
 TEST_P(Walking, does_not_climb_stairs_of_35_cm)
