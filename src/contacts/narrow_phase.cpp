@@ -195,7 +195,7 @@ class PairUpdate {
         // More than gravity moves what rests.
         const bool moves = ahead.present_way() > layer();
         if ((moves || old.empty()) && !knows_corners()) ahead.add_far(pose1_, pose2_, out);
-        if (moves && pair_.max_manifolds > 1) ahead.add_crossed(out);
+        if (moves && pair_.max_manifolds > 1) ahead.add_other_parts(out);
         take(out, pose1_, pose2_, old, Anchors::kTogether);
     }
 

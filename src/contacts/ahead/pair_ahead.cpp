@@ -129,13 +129,11 @@ void PairAhead::add_far(const Pose& first, const Pose& second, ContactArray& out
     add_far_points({first_.geom, first}, {second_.geom, second}, 2 * way(), out);
 }
 
-void PairAhead::add_crossed(ContactArray& out) const
+void PairAhead::add_other_parts(ContactArray& out) const
 {
-    if (!is_swift()) return;
+    if (!(way() > kDeep * thickness(first_.geom, second_.geom))) return;
     SpeculativeMotion met = soon_;
-    const Real share = share_before_meeting();
-    if (!(share < 1)) return;
-    met.h *= share;
+    met.h *= share_before_meeting();
     dContactGeom found[kMostPoints];
     ContactArray there{found, int(sizeof(dContactGeom)), kMostPoints, false};
     collide_after(met, there);

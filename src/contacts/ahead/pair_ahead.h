@@ -40,8 +40,8 @@ class PairAhead {
     void move_to_surface(dContactGeom& c, const SpeculativeMotion& met) const;
     // Points of both that are near there, see far_points.h: what lands on one end may come down at twice the speed.
     void add_far(const Pose& first, const Pose& second, ContactArray& out) const;
-    // Who slides along a mesh may cross another part of it: contacts with that, as they are now.
-    void add_crossed(ContactArray& out) const;
+    // Who slides along a surface may meet another part of it: contacts with that, as they are now.
+    void add_other_parts(ContactArray& out) const;
 
     // Where a contact between at1 and at2 that is found after `met` is now: until then the point goes along with the one that moves, see
     // solve/substeps/manifold_kernels.inc.
