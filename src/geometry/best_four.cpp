@@ -80,10 +80,11 @@ int choose(const ManifoldPoints& p, Vec3 normal, int wanted, int* chosen)
 int choose_of(ManifoldPoints& p, Vec3 normal, int wanted, int* chosen)
 {
     // What fills up, the first point again, is never better than itself.
-    const int full = p.count <= 8 ? 8 : p.count <= 16 ? 16 : p.kMax;
+    const int full = p.count <= 8 ? 8 : p.count <= 16 ? 16 : p.count <= 32 ? 32 : p.kMax;
     while (p.count < full) p.add({p.x[0], p.y[0], p.z[0]}, p.depth[0]);
     return full == 8    ? choose<2>(p, normal, wanted, chosen)
            : full == 16 ? choose<4>(p, normal, wanted, chosen)
+           : full == 32 ? choose<8>(p, normal, wanted, chosen)
                         : choose<ManifoldPoints::kMax / 4>(p, normal, wanted, chosen);
 }
 

@@ -5,8 +5,11 @@
 // that is not enough, as on a surface of needles, the shallowest manifolds are dropped.
 #include "collide/pairs/contact_collector.h"
 
+#include <algorithm>
 #include <bit>
+#include <cstring>
 
+#include "geometry/best_four.h"
 #include "simd/quad.h"
 
 namespace epode {
@@ -16,24 +19,39 @@ namespace {
 constexpr Real kSameNormal = Real(1) - (kSingle ? Real(1e-6) : Real(1e-9));
 constexpr Real kLikeNormal = Real(0.998);  // cosine of 3.6 degrees
 
+ContactPoint touching(ContactPoint p)
+{
+    if (!(p.depth > 0)) p.depth = 0;
+    return p;
+}
+
 }  // namespace
 
 void ContactCollector::add(const ContactPoint& point)
 {
-    for (int first = 0; first < count_; first += 4)
-        for (unsigned some = at_same_place(first, point.position); some; some &= some - 1) {
-            ContactPoint& p = points_[first + std::countr_zero(some)];
-            if (!(dot(p.normal, point.normal) < kSameNormal)) return merge(p, point);
-        }
+    for (int run = 0; run < runs_; ++run) {
+        const int first = run_starts_[run], end = run + 1 < runs_ ? run_starts_[run + 1] : count_;
+        if (dot(points_[first].normal, point.normal) < kSameNormal) continue;
+        if (const int at = at_same_place(first, end, point.position); at >= 0)
+            return merge(points_[at], point);
+    }
     add_apart(point);
 }
 
-// Of four points from `first` on, a bit for each.
-unsigned ContactCollector::at_same_place(int first, Vec3 p) const
+// The first from number `first` on, or -1.
+inline int ContactCollector::at_same_place(int first, int end, Vec3 p) const
 {
-    const Quad x = load_quad(places_[0] + first) - quad(p.x), y = load_quad(places_[1] + first) - quad(p.y),
-               z = load_quad(places_[2] + first) - quad(p.z);
-    return bits(x * x + y * y + z * z <= quad(same2_));
+    const Quad px = quad(p.x), py = quad(p.y), pz = quad(p.z), same2 = quad(same2_);
+    for (int four = first & ~3; four < end; four += 4) {
+        const Quad x = load_quad(places_[0] + four) - px, y = load_quad(places_[1] + four) - py,
+                   z = load_quad(places_[2] + four) - pz;
+        unsigned some = bits(x * x + y * y + z * z <= same2);
+        if (four < first) some &= ~0u << (first - four);
+        if (!some) continue;
+        const int at = four + std::countr_zero(some);
+        return at < end ? at : -1;
+    }
+    return -1;
 }
 
 void ContactCollector::merge(ContactPoint& p, const ContactPoint& point) const
@@ -47,72 +65,97 @@ void ContactCollector::merge(ContactPoint& p, const ContactPoint& point) const
 void ContactCollector::add_apart(const ContactPoint& point)
 {
     if (count_ == kCapacity) thin_out();
-    note_place(count_, point.position);
-    points_[count_++] = point;
+    points_[count_] = point;
+    note(count_++);
 }
 
 // Places behind the last are far from everything.
-void ContactCollector::note_place(int i, Vec3 p)
+void ContactCollector::note(int i)
 {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (i % 4 == 0) store_quad(places_[axis] + i, quad(kInf));
-        places_[axis][i] = p[axis];
+    const ContactPoint& point = points_[i];
+    if (i % 4 == 0)
+        for (Real* const axis : places_) store_quad(axis + i, quad(kInf));
+    places_[0][i] = point.position.x, places_[1][i] = point.position.y, places_[2][i] = point.position.z;
+    if (runs_ == 0 || !(point.normal == points_[i - 1].normal)) run_starts_[runs_++] = (unsigned char)i;
+    run_[i] = (unsigned char)(runs_ - 1);
+}
+
+// Insertion; stable.
+void ContactCollector::sort_by_depth()
+{
+    Real depths[kCapacity];
+    for (int k = 0; k < count_; ++k) {
+        const Real depth = points_[k].depth;
+        int at = k;
+        for (; at > 0 && depths[at - 1] < depth; --at)
+            depths[at] = depths[at - 1], order_[at] = order_[at - 1];
+        depths[at] = depth, order_[at] = (unsigned char)k;
     }
 }
 
 void ContactCollector::sort_out()
 {
-    // Insertion by depth; stable.
-    for (int k = 1; k < count_; ++k) {
-        if (!(points_[k - 1].depth < points_[k].depth)) continue;
-        const ContactPoint p = points_[k];
-        int at = k;
-        for (; at > 0 && points_[at - 1].depth < p.depth; --at) points_[at] = points_[at - 1];
-        points_[at] = p;
-    }
-    // The deepest point that is left starts a manifold; points with similar normals join it in order.
-    manifolds_ = 0;
-    for (int first = 0; first < count_;) {
-        starts_[manifolds_++] = first;
-        const Vec3 normal = points_[first].normal;
-        int end = first + 1;
-        for (int k = end; k < count_; ++k) {
-            if (dot(points_[k].normal, normal) < kLikeNormal) continue;
-            if (k == end) {
-                ++end;
-                continue;
-            }
-            const ContactPoint p = points_[k];
-            for (int at = k; at > end; --at) points_[at] = points_[at - 1];
-            points_[end++] = p;
-        }
-        first = end;
-    }
-    starts_[manifolds_] = count_;
+    sort_by_depth();
+    manifolds_ = runs_ > 0 ? 1 : 0;
+    starts_[0] = 0, starts_[1] = count_;
+    if (runs_ > 1) find_manifolds();
 }
 
-int ContactCollector::thinned(int manifold, int quota, ContactPoint* out) const
+// The deepest point that is left starts a manifold; points with similar normals join it in order.
+void ContactCollector::find_manifolds()
 {
-    dContactGeom kept[kPerManifold];
-    ContactSink choice(kept, sizeof(dContactGeom), quota < kPerManifold ? quota : kPerManifold, false);
+    constexpr unsigned char kNone = 255;
+    unsigned char manifold_of[kCapacity], sorted[kCapacity];
+    std::memset(manifold_of, kNone, sizeof(manifold_of));
+    int counts[kCapacity];
+    manifolds_ = 0;
+    for (int k = 0; k < count_; ++k) {
+        unsigned char& own = manifold_of[run_[order_[k]]];
+        if (own == kNone) {
+            const Vec3 normal = points_[order_[k]].normal;
+            for (int run = 0; run < runs_; ++run)
+                if (manifold_of[run] == kNone &&
+                    !(dot(points_[run_starts_[run]].normal, normal) < kLikeNormal))
+                    manifold_of[run] = (unsigned char)manifolds_;
+            own = (unsigned char)manifolds_;
+            counts[manifolds_++] = 0;
+        }
+        ++counts[own];
+    }
+    for (int m = 0; m < manifolds_; ++m) starts_[m + 1] = starts_[m] + counts[m], counts[m] = starts_[m];
+    for (int k = 0; k < count_; ++k) sorted[counts[manifold_of[run_[order_[k]]]]++] = order_[k];
+    std::memcpy(order_, sorted, sizeof(order_));
+}
+
+// The best of a manifold, at most four.
+int ContactCollector::thinned(int manifold, int quota, int* out) const
+{
     const int first = starts_[manifold], count = starts_[manifold + 1] - first;
-    choice.add_manifold({points_ + first, std::size_t(count)});
-    for (int k = 0; k < choice.count(); ++k)
-        out[k] = {load(kept[k].pos), load(kept[k].normal), kept[k].depth, kept[k].side1, kept[k].side2};
-    return choice.count();
+    const int wanted = quota < kPerManifold ? quota : kPerManifold;
+    const unsigned char* const those = order_ + first;
+    if (count <= wanted) return std::copy_n(those, count, out), count;
+    ManifoldPoints lanes;
+    for (int k = 0; k < count; ++k) lanes.add(points_[those[k]].position, points_[those[k]].depth);
+    const int kept = best_four(lanes, points_[those[0]].normal, wanted, out);
+    for (int k = 0; k < kept; ++k) out[k] = those[out[k]];
+    return kept;
 }
 
 void ContactCollector::thin_out()
 {
+    constexpr int kKept = kCapacity - kCapacity / 4;
     sort_out();
-    int kept = 0;
-    for (int m = 0; m < manifolds_ && kept + kPerManifold <= kCapacity - kCapacity / 4; ++m) {
-        ContactPoint best[kPerManifold];
-        const int n = thinned(m, kPerManifold, best);
-        for (int k = 0; k < n; ++k) points_[kept++] = best[k];  // never beyond what has been read
+    ContactPoint kept[kKept];
+    int those[kPerManifold], count = 0;
+    for (int m = 0; m < manifolds_ && count + kPerManifold <= kKept; ++m) {
+        const int n = thinned(m, kPerManifold, those);
+        for (int k = 0; k < n; ++k) kept[count++] = touching(points_[those[k]]);
     }
-    count_ = kept;
-    for (int k = 0; k < count_; ++k) note_place(k, points_[k].position);
+    runs_ = 0;
+    for (count_ = 0; count_ < count; ++count_) {
+        points_[count_] = kept[count_];
+        note(count_);
+    }
 }
 
 void ContactCollector::deliver(ContactSink& sink)
@@ -122,14 +165,10 @@ void ContactCollector::deliver(ContactSink& sink)
         // Each manifold gets an equal share; later manifolds get what earlier ones did not use.
         const int left = sink.capacity() - sink.count(), waiting = manifolds_ - m;
         const int quota = left > waiting ? left / waiting : 1;
-        const int first = starts_[m], count = starts_[m + 1] - first;
-        if (count <= quota && count <= kPerManifold) {
-            for (int k = 0; k < count; ++k) sink.add(points_[first + k]);
-            continue;
-        }
-        ContactPoint best[kPerManifold];
+        int best[kPerManifold];
         const int n = thinned(m, quota, best);
-        for (int k = 0; k < n; ++k) sink.add(best[k]);
+        const bool all = n == starts_[m + 1] - starts_[m];
+        for (int k = 0; k < n; ++k) sink.add(all ? points_[best[k]] : touching(points_[best[k]]));
     }
 }
 

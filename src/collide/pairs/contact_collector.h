@@ -34,11 +34,13 @@ class ContactCollector {
     static constexpr int kCapacity = 64;
     static constexpr int kPerManifold = 4;
 
-    unsigned at_same_place(int first, Vec3 p) const;
+    int at_same_place(int first, int end, Vec3 p) const;
     void merge(ContactPoint& into, const ContactPoint& point) const;
-    void note_place(int i, Vec3 p);
-    void sort_out();  // by manifold, the deepest manifold first; fills starts_
-    int thinned(int manifold, int quota, ContactPoint* out) const;
+    void note(int i);
+    void sort_out();  // by manifold, the deepest manifold first; fills order_ and starts_
+    void sort_by_depth();
+    void find_manifolds();
+    int thinned(int manifold, int quota, int* out) const;  // numbers of points
     void thin_out();
 
     union {
@@ -48,6 +50,17 @@ class ContactCollector {
         Real places_[3][kCapacity];  // of the points, x y z; the same
     };
     int count_ = 0;
+    // A facet gives points with one normal one after the other: a run. Manifolds are made of runs.
+    union {
+        unsigned char run_[kCapacity];  // of each point
+    };
+    union {
+        unsigned char run_starts_[kCapacity];
+    };
+    int runs_ = 0;
+    union {
+        unsigned char order_[kCapacity];
+    };
     int starts_[kCapacity + 1];
     int manifolds_ = 0;
     Real same2_;
