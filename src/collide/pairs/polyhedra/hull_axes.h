@@ -23,9 +23,20 @@ class HullAxes {
     HullAxes(PlacedHull& hull, const Triangle& f, bool upward) : hull_(hull), f_(f), upward_(upward)
     {
         hull_.place();
-        for (int k = 0; k < 3; ++k) out_[k] = hull_.face_scratch(k);
-        find_distances();
+        const QuadPlane v[3] = {QuadPlane(f.v[0]), QuadPlane(f.v[1]), QuadPlane(f.v[2])};
+        for (int k = 0; k < 3; ++k) {
+            Real* const distances = hull_.face_scratch(k);
+            for (int g = 0; g < hull_.face_groups(); ++g) {
+                const Real* const four = hull_.faces(g);
+                store_quad(distances + 4 * g, v[k].along(four) - load_quad(four + 12));
+            }
+            out_[k] = distances;
+        }
     }
+    // The distances of the triangle's corners from the faces are known.
+    HullAxes(PlacedHull& hull, const Triangle& f, bool upward, const Real* a, const Real* b, const Real* c)
+        : hull_(hull), f_(f), upward_(upward), out_{a, b, c}
+    {}
 
     // offer(n, overlap) of directions in which the overlap is less than `worth`; false where one of them
     // parts the two by more than the slack.
@@ -51,11 +62,12 @@ class HullAxes {
     // offer(n, overlap, edge) as above across edges, of the triangle's those that have a bit in `which`. What
     // is worth nothing offers do not make worth more, so the worth is that of the beginning.
     template <typename Offer>
-    bool edges(unsigned which, Real worth, Real slack, const Offer& offer) const
+    bool edges(unsigned which, Real worth, Real slack, const Offer& offer)
     {
+        if (which == 0) return true;
+        if (!leans_known_) find_leans();
         const unsigned char* const side = hull_.face_marks();
-        for (int i = 0; i < hull_.seams(); ++i) {
-            const PolyhedronEdge& seam = hull_.seam(i);
+        for (const PolyhedronEdge& seam : hull_.seams()) {
             for (unsigned some = (side[seam.left] ^ side[seam.right]) & which; some; some &= some - 1) {
                 const int k = __builtin_ctz(some);
                 if (overlaps_more(seam, k, worth)) continue;
@@ -70,18 +82,13 @@ class HullAxes {
     }
 
   private:
-    // Of each corner of the triangle its distances from the faces, outwards, and of each face a bit for every
-    // edge of the triangle that its normal leans along.
-    void find_distances()
+    // Of each face a bit for every edge of the triangle that its normal leans along.
+    void find_leans()
     {
-        const QuadPlane v[3] = {QuadPlane(f_.v[0]), QuadPlane(f_.v[1]), QuadPlane(f_.v[2])};
+        leans_known_ = true;
         for (int g = 0; g < hull_.face_groups(); ++g) {
-            const Real* const four = hull_.faces(g);
-            Quad at[3];
-            for (int k = 0; k < 3; ++k) {
-                at[k] = v[k].along(four) - load_quad(four + 12);
-                store_quad(out_[k] + 4 * g, at[k]);
-            }
+            const Quad at[3] = {load_quad(out_[0] + 4 * g), load_quad(out_[1] + 4 * g),
+                                load_quad(out_[2] + 4 * g)};
             store_bytes(hull_.face_marks() + 4 * g, byte_each(bits(at[0] < at[1])) |
                                                         byte_each(bits(at[1] < at[2])) << 1 |
                                                         byte_each(bits(at[2] < at[0])) << 2);
@@ -127,7 +134,8 @@ class HullAxes {
     PlacedHull& hull_;
     const Triangle& f_;
     const bool upward_;
-    Real* out_[3];
+    bool leans_known_ = false;
+    const Real* out_[3];  // of each corner of the triangle its distances from the faces, outwards
 };
 
 }  // namespace

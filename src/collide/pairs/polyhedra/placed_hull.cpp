@@ -8,8 +8,8 @@ namespace epode {
 
 namespace {
 
-// Marks of what is left: a face that looks down, one at a seam, an end of a seam.
-constexpr unsigned char kDown = 1, kAtSeam = 2, kSeamEnd = 1;
+// Marks of what is left: a face that looks down, one at a seam; an end of a seam, a low corner.
+constexpr unsigned char kDown = 1, kAtSeam = 2, kSeamEnd = 1, kLowCorner = 2;
 
 }  // namespace
 
@@ -19,12 +19,12 @@ PlacedHull::PlacedHull(const ConvexView& view) : view_(view)
     const Polyhedron& solid = *static_cast<const Polyhedron*>(view.shape);
     corner_groups_ = (int(solid.vertices().size()) + 3) / 4,
     face_groups_ = (int(solid.faces().size()) + 3) / 4;
-    const int numbers = 28 * (corner_groups_ + face_groups_), marks = 4 * (corner_groups_ + face_groups_);
+    const int numbers = 28 * corner_groups_ + 44 * face_groups_, marks = 4 * (corner_groups_ + face_groups_);
     const bool few = numbers <= kNumbers && marks <= kMarks;
     if (!few && (!many_.resize(numbers) || !many_marks_.resize(marks) || !many_groups_.resize(marks))) return;
     numbers_ = few ? few_ : many_.data(), marks_ = few ? few_marks_ : many_marks_.data();
     groups_ = few ? few_groups_ : many_groups_.data();
-    faces_ = numbers_ + 12 * corner_groups_, scratch_ = faces_ + 16 * face_groups_;
+    faces_ = kept_faces_ = numbers_ + 12 * corner_groups_, scratch_ = faces_ + 32 * face_groups_;
     solid_ = &solid, seam_count_ = int(solid.seams().size());
 }
 
@@ -38,14 +38,17 @@ void PlacedHull::mark_faces_down(Real sine)
 void PlacedHull::keep_seams(Real y)
 {
     unsigned char *const ends = corner_marks(), *const left = face_marks();
-    seam_count_ = 0;
+    for (int g = 0; g < corner_groups_; ++g)
+        store_bytes(ends + 4 * g, byte_each(bits(load_quad(corners(g) + 4) <= quad(y))) * kLowCorner);
+    PolyhedronEdge* to = kept_;
     for (const PolyhedronEdge& seam : solid_->seams()) {
         if (!((left[seam.left] | left[seam.right]) & kDown)) continue;
-        if (!(corner(seam.from).y <= y || corner(seam.to).y <= y)) continue;
-        kept_[seam_count_++] = seam;
-        ends[seam.from] = ends[seam.to] = kSeamEnd;
+        if (!((ends[seam.from] | ends[seam.to]) & kLowCorner)) continue;
+        *to++ = seam;
+        ends[seam.from] |= kSeamEnd, ends[seam.to] |= kSeamEnd;
         left[seam.left] |= kAtSeam, left[seam.right] |= kAtSeam;
     }
+    seam_count_ = int(to - kept_);
 }
 
 void PlacedHull::keep_corners()
@@ -55,37 +58,33 @@ void PlacedHull::keep_corners()
         std::uint32_t four;
         std::memcpy(&four, corner_marks() + 4 * g, 4);
         groups_[kept_corner_groups_] = g;
-        kept_corner_groups_ += four != 0;
+        kept_corner_groups_ += (four & 0x01010101u * kSeamEnd) != 0;
     }
 }
 
-void PlacedHull::move_face(int from, Real* to, int at)
+void PlacedHull::copy_face(int from, int to)
 {
-    const Real* const source = faces(from / 4) + from % 4;
-    Real* const target = to + 16 * (at / 4) + at % 4;
+    const Real* const source = faces_ + 16 * (from / 4) + from % 4;
+    Real* const target = kept_faces_ + 16 * (to / 4) + to % 4;
     for (const int k : {0, 4, 8, 12}) target[k] = source[k];
 }
 
-// In their order. The others wait in the scratch, where there is room for all: F <= 2 V.
-void PlacedHull::keep_faces_first()
+// In their order; the last one again where four do not come out even.
+void PlacedHull::keep_faces()
 {
     const unsigned char* const left = face_marks();
     int* const numbers = groups_ + corner_groups_;
-    const int all = int(solid_->faces().size());
-    int first = 0, others = 0;
-    for (int i = 0; i < all; ++i)
-        if (left[i])
-            move_face(i, faces_, numbers[i] = first++);
-        else
-            move_face(i, scratch_, others++);
-    for (int i = 0; i < others; ++i) {
-        const Real* const source = scratch_ + 16 * (i / 4) + i % 4;
-        Real* const target = faces_ + 16 * ((first + i) / 4) + (first + i) % 4;
-        for (const int k : {0, 4, 8, 12}) target[k] = source[k];
-    }
+    kept_faces_ = faces_ + 16 * face_groups_;
+    int count = 0, last = 0;
+    for (int i = 0; i < int(solid_->faces().size()); ++i)
+        if (left[i]) {
+            copy_face(last = i, count);
+            numbers[i] = count++;
+        }
     for (int i = 0; i < seam_count_; ++i)
         kept_[i].left = numbers[kept_[i].left], kept_[i].right = numbers[kept_[i].right];
-    kept_face_groups_ = (first + 3) / 4;
+    for (; count % 4; ++count) copy_face(last, count);
+    kept_face_groups_ = count / 4;
 }
 
 void PlacedHull::keep_for_field(Real y, Real sine)
@@ -94,11 +93,10 @@ void PlacedHull::keep_for_field(Real y, Real sine)
     const int all = int(solid_->seams().size());
     if (all > kSeams && !many_kept_.resize(all)) return;
     kept_ = all > kSeams ? many_kept_.data() : few_kept_;
-    std::memset(corner_marks(), 0, std::size_t(4 * corner_groups_));
     mark_faces_down(sine);
     keep_seams(y);
     keep_corners();
-    keep_faces_first();
+    keep_faces();
     std::memset(face_marks(), 0, std::size_t(4 * face_groups_));
 }
 

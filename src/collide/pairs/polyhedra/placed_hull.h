@@ -31,16 +31,20 @@ class PlacedHull {
 
     // Leaves out what a field cannot touch that is nowhere higher than y and steeper than a sine: seams that have
     // no end so low (along y), or no face that looks down at such a field, and corners and faces at none. Faces
-    // that are left come before the others, and have other numbers than in the polyhedron.
+    // that are left have other numbers than in the polyhedron.
     void keep_for_field(Real y, Real sine);
 
-    int seams() const { return seam_count_; }
-    const PolyhedronEdge& seam(int i) const { return kept_ ? kept_[i] : solid_->seams()[std::size_t(i)]; }
+    std::span<const PolyhedronEdge> seams() const
+    {
+        return {kept_ ? kept_ : solid_->seams().data(), std::size_t(seam_count_)};
+    }
     std::span<const int> corner_groups() const { return {groups_, std::size_t(kept_corner_groups_)}; }
     int face_groups() const { return kept_face_groups_; }
+    const Real* corners(int group) const { return numbers_ + 12 * group; }   // x y z of four
+    const Real* faces(int group) const { return kept_faces_ + 16 * group; }  // unit outward normals, offsets
+    // Of all faces, left out or not.
     int all_face_groups() const { return face_groups_; }
-    const Real* corners(int group) const { return numbers_ + 12 * group; }  // x y z of four
-    const Real* faces(int group) const { return faces_ + 16 * group; }      // unit outward normals, offsets
+    const Real* all_faces(int group) const { return faces_ + 16 * group; }
     Vec3 corner(int i) const { return at(corners(i / 4) + i % 4); }
     Vec3 normal(int face) const { return at(faces(face / 4) + face % 4); }
     Vec3 inner() const { return view_.pose.to_world(solid_->inner()); }
@@ -52,20 +56,20 @@ class PlacedHull {
     unsigned char* face_marks() { return marks_ + 4 * corner_groups_; }
 
   private:
-    static constexpr int kNumbers = 1536, kMarks = 256, kSeams = 128;  // more need memory
+    static constexpr int kNumbers = 1728, kMarks = 256, kSeams = 128;  // more need memory
     static Vec3 at(const Real* p) { return {p[0], p[4], p[8]}; }
     void find();
     void mark_faces_down(Real sine);
     void keep_seams(Real y);
     void keep_corners();
-    void keep_faces_first();
-    void move_face(int from, Real* to, int at);
+    void keep_faces();
+    void copy_face(int from, int to);
 
     const ConvexView& view_;
     const Polyhedron* solid_ = nullptr;
     int corner_groups_ = 0, face_groups_ = 0, seam_count_ = 0;
     bool placed_ = false;
-    Real *numbers_ = nullptr, *faces_ = nullptr, *scratch_ = nullptr;
+    Real *numbers_ = nullptr, *faces_ = nullptr, *kept_faces_ = nullptr, *scratch_ = nullptr;
     unsigned char* marks_ = nullptr;
     PolyhedronEdge* kept_ = nullptr;  // null: all
     int* groups_ = nullptr;           // of corners; then numbers of faces

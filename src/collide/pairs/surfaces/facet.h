@@ -11,6 +11,7 @@
 #include "collide/pairs/contact_collector.h"
 #include "collide/pairs/polyhedra/least_axes.h"
 #include "collide/pairs/polyhedra/placed_hull.h"
+#include "collide/pairs/surfaces/field_corners.h"
 #include "collide/pairs/surfaces/hole_walls.h"
 #include "collide/pairs/surfaces/on_surface.h"
 #include "collide/surfaces/heightfield.h"
@@ -52,8 +53,10 @@ struct TerrainPair {
     Aabb box;    // of the solid
     Real slack;  // rounding of coordinates
     ContactCollector& out;
-    HoleWalls* walls = nullptr;  // there are holes under the solid
-    PlacedHull* hull = nullptr;  // the solid, if it is a polyhedron
+    HoleWalls* walls = nullptr;       // there are holes under the solid
+    PlacedHull* hull = nullptr;       // the solid, if it is a polyhedron
+    FieldCorners* corners = nullptr;  // of its hull
+    CylinderEnds* ends = nullptr;     // if it is a cylinder
 
     // A contact whose normal is not the facet's own.
     void add_crest(const Facet& facet, Vec3 at, Vec3 normal, Real depth)

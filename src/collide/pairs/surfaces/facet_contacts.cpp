@@ -42,21 +42,92 @@ bool FacetContacts::met(Vec3 centre) const
     return false;
 }
 
-// Corners of the triangle, brought down onto the face.
+bool brought_down(const Polygon& face, Vec3 v, Vec3 up, Real slack, Vec3& out)
+{
+    const Real fall = -dot(up, face.normal);
+    if (!(fall > 0)) return false;
+    const Real depth = dot(face.points[0] - v, face.normal) / fall;
+    if (!(depth >= -slack)) return false;
+    out = v - depth * up;
+    bool in = true;
+    for (int i = 0, j = face.count - 1; in && i < face.count; j = i++)
+        in = dot(cross(face.normal, face.points[i] - face.points[j]), out - face.points[j]) >= 0;
+    return in;
+}
+
 void FacetContacts::add_corners(const Polygon& face)
 {
-    const Real fall = -dot(up_, face.normal);
-    if (!(fall > 0)) return;
+    Vec3 p;
+    for (int k = 0; k < 3; ++k)
+        if (corner_counts(k) && brought_down(face, f_.v[k], up_, slack_, p)) give(p);
+}
+
+// Heights and distances from the walls of the corners of a disc; of the latter a bit for each that is within.
+struct FacetContacts::DiscPlaces {
+    Real height[kRimPoints], beyond[3][kRimPoints];
+    unsigned in[3];
+};
+
+namespace {
+
+static_assert(kRimPoints == 8);
+unsigned turned(unsigned bits8)
+{
+    return (bits8 << 1 | bits8 >> 7) & 255u;
+}  // of each corner that of the one before
+
+EPODE_LANEWISE Quad along_disc(const Disc& d, Vec3 n, int from)
+{
+    return quad(n.x) * load_quad(d.x + from) + quad(n.y) * load_quad(d.y + from) +
+           quad(n.z) * load_quad(d.z + from);
+}
+
+// A linear function at the corners; the mask of those where it is no more than `limit`, and of those where it is
+// over zero.
+unsigned place_disc(const Disc& d, Vec3 n, Real c, Real limit, Real (&at)[kRimPoints], unsigned& over)
+{
+    const Quad a = along_disc(d, n, 0) - quad(c), b = along_disc(d, n, 4) - quad(c);
+    store_quad(at, a);
+    store_quad(at + 4, b);
+    over = bits(a > quad(0)) | bits(b > quad(0)) << 4;
+    return bits(a <= quad(limit)) | bits(b <= quad(limit)) << 4;
+}
+
+}  // namespace
+
+// From corner i - 1 to i, where they are not on the same side of a wall.
+void FacetContacts::cross_disc(const Disc& disc, const DiscPlaces& at, int i)
+{
+    const int j = i > 0 ? i - 1 : kRimPoints - 1;
+    const auto place = [&at](int k) {
+        return PrismPlace{at.height[k], {at.beyond[0][k], at.beyond[1][k], at.beyond[2][k]}};
+    };
+    add_edge(disc.face.points[j], place(j), disc.face.points[i], place(i));
+}
+
+bool FacetContacts::add_disc(const Disc& disc)
+{
+    DiscPlaces at;
+    unsigned over;
+    const unsigned low = place_disc(disc, f_.n, f_.c, slack_, at.height, over);
+    if (low == 0) return false;
+    const unsigned known = low | turned(low) | (low >> 1 | (low << 7 & 255u));
+    unsigned in = 255, changes = 0;
+    int crossed = 0;
     for (int k = 0; k < 3; ++k) {
-        if (!corner_counts(k)) continue;
-        const Real depth = dot(face.points[0] - f_.v[k], face.normal) / fall;
-        if (!(depth >= -slack_)) continue;
-        const Vec3 p = f_.v[k] - depth * up_;
-        bool in = true;
-        for (int i = 0, j = face.count - 1; in && i < face.count; j = i++)
-            in = dot(cross(face.normal, face.points[i] - face.points[j]), p - face.points[j]) >= 0;
-        if (in) give(p);
+        at.in[k] = place_disc(disc, prism_.out[k], prism_.limit[k], slack_, at.beyond[k], over);
+        crossed += (over & known) != 0;
+        in &= at.in[k];
+        if (ends_[k]) changes |= at.in[k] ^ turned(at.in[k]);
     }
+    const unsigned given = low & in, edges = changes & (low | turned(low));
+    for (unsigned some = (given | edges) & 255u; some; some &= some - 1) {
+        const int i = std::countr_zero(some);
+        if (given >> i & 1) give(disc.face.points[i]);
+        if (i > 0 && (edges >> i & 1)) cross_disc(disc, at, i);
+    }
+    if (edges & 1) cross_disc(disc, at, 0);
+    return crossed > 1;
 }
 
 void FacetContacts::add(const Polygon& face)

@@ -17,6 +17,19 @@
 
 namespace epode {
 
+class FieldCorners;
+struct Facet;
+
+// A polygon that stands for a flat end of a cylinder; its corners coordinate by coordinate, too.
+struct Disc {
+    Polygon face;
+    Real x[kRimPoints], y[kRimPoints], z[kRimPoints];
+};
+
+// A corner v of a triangle, brought down along `up` onto a face; false where it misses the face, or the face is
+// more than `slack` over it.
+bool brought_down(const Polygon& face, Vec3 v, Vec3 up, Real slack, Vec3& out);
+
 // Where a point is: above the facet, and beyond the walls.
 struct PrismPlace {
     Real height, beyond[3];
@@ -53,6 +66,8 @@ class FacetContacts {
     }
 
     void add(const Polygon& face);
+    // The same without the triangle's corners; true if it must be looked whether they are over the disc.
+    bool add_disc(const Disc& disc);
     void add(Vec3 p)
     {
         if (low(f_.height(p)) && within(place(p))) give(p);
@@ -88,6 +103,8 @@ class FacetContacts {
 
   private:
     static constexpr int kMaxHeld = 64;  // a cylinder has less
+    struct DiscPlaces;
+    void cross_disc(const Disc& disc, const DiscPlaces& at, int i);
     void add_corners(const Polygon& face);
     void put(Vec3 p)
     {
@@ -112,5 +129,8 @@ class FacetContacts {
 void collect_facet_contacts(const ConvexView& solid, PlacedHull* hull, const Triangle& face,
                             FacetContacts& contacts);
 void collect_hull_contacts(PlacedHull& hull, const Triangle& face, FacetContacts& contacts);
+// The same of a polyhedron with a facet of a height field, upright.
+void collect_field_contacts(PlacedHull& hull, FieldCorners& corners, const Facet& facet,
+                            FacetContacts& contacts);
 
 }  // namespace epode

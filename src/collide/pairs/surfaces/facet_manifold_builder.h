@@ -9,6 +9,7 @@
 //   contacts.wall(edge)             the outward normal of the prism there
 //   contacts.before(edge, point)    the distance of a point from that wall
 //   contacts.low(height)            whether a point at this height above the facet may be a contact
+//   contacts.add_end(along)         optional: a flat end of a cylinder, which knows its own
 #pragma once
 
 #include <type_traits>
@@ -33,16 +34,21 @@ class FacetManifoldBuilder {
         for (int i = 0; i < 3; ++i) {
             if (!(s_.face_axes >> i & 1)) continue;
             const Vec3 axis = s_.pose.R.column(i);
-            face(dot(axis, f_.n) > 0 ? -axis : axis);
+            const bool along = !(dot(axis, f_.n) > 0);
+            face(along ? axis : -axis, along);
         }
         if (s_.kind == SolidKind::kCylinder) round();
         if (s_.kind == SolidKind::kCurved || s_.kind == SolidKind::kPolyhedron) curved();
     }
 
   private:
-    void face(Vec3 outward)
+    void face(Vec3 outward, [[maybe_unused]] bool along)
     {
-        if (-dot(outward, f_.n) >= kFaceLean) feature(outward);
+        if (!(-dot(outward, f_.n) >= kFaceLean)) return;
+        if constexpr (requires { to_.add_end(along); })
+            to_.add_end(along);
+        else
+            feature(outward);
     }
 
     void feature(Vec3 direction)

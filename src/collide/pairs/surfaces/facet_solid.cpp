@@ -11,6 +11,7 @@
 #include "collide/pairs/polyhedra/least_axes.h"
 #include "collide/pairs/surfaces/facet.h"
 #include "collide/pairs/surfaces/facet_contacts.h"
+#include "collide/pairs/surfaces/facet_manifold_builder.h"
 #include "geometry/hulls/polyhedron.h"
 #include "geometry/overlap/epa.h"
 #include "geometry/triangle_rim.h"
@@ -100,7 +101,7 @@ class LeastRise {
     bool others()
     {
         if (!reach_.box()) ridges_ = m_.terrain.ridges(facet_);
-        if (m_.hull) return hull_axes(HullAxes(*m_.hull, facet_, true)) && (!on_crest || walls());
+        if (m_.hull) return hull_axes(axes_of_hull()) && (!on_crest || walls());
         if (!walls()) return false;
         if (reach_.box()) return closed_axes();
         return reach_.cylinder() ? closed_axes() && rim() : any_direction();
@@ -136,9 +137,16 @@ class LeastRise {
                 (steep & bits(d2 < quad(worth * worth) * o.size2)) | bits(rise2 <= quad(0))};
     }
 
+    HullAxes axes_of_hull() const
+    {
+        if (!m_.corners) return HullAxes(*m_.hull, facet_, true);
+        const auto of = [this](int k) { return m_.corners->distances(facet_, k); };
+        return HullAxes(*m_.hull, facet_, true, of(0), of(1), of(2));
+    }
+
     // A crest at a corner is opposite a face, one at an edge is a ridge's; the other edges matter where there is
     // a crest, for they may show that the solid is not on it.
-    bool hull_axes(const HullAxes& axes)
+    bool hull_axes(HullAxes axes)
     {
         const Real worth = kFaceFirst * depth;
         const auto offer = [this](Vec3 n, Real d, int = 0) {
@@ -200,15 +208,25 @@ class LeastRise {
     Real elsewhere_ = kInf;
 };
 
+constexpr int kNoEdge = -1, kWallEdge = 1;
+
 // The part of the solid that is behind a face of the terrain, in the column that stands on it along `up`: a
 // facet, or one of the two triangles of a hole's wall, which go on beyond the edge that they share.
-void add_face_contacts(const Triangle& face, Vec3 up, int shared, TerrainPair& m)
+void add_wall_face_contacts(const Triangle& face, TerrainPair& m)
 {
-    FacetContacts contacts(face, up, shared, m.slack, m.out);
+    FacetContacts contacts(face, face.n, kWallEdge, m.slack, m.out);
     collect_facet_contacts(m.solid, m.hull, face, contacts);
 }
-
-constexpr int kNoEdge = -1, kWallEdge = 1;
+void add_face_contacts(const Facet& facet, TerrainPair& m)
+{
+    FacetContacts contacts(facet, kUp, kNoEdge, m.slack, m.out);
+    if (m.corners)
+        collect_field_contacts(*m.hull, *m.corners, facet, contacts);
+    else if (m.ends)
+        build_facet_manifold(m.solid, facet, CylinderFacetContacts(*m.ends, facet, contacts));
+    else
+        collect_facet_contacts(m.solid, m.hull, facet, contacts);
+}
 
 void add_wall_contacts(const Facet& f, TerrainPair& m)
 {
@@ -217,7 +235,7 @@ void add_wall_contacts(const Facet& f, TerrainPair& m)
         if (!m.terrain.hole_beyond(f, k) || !m.walls->gives_contacts(f, k) ||
             !m.terrain.wall_below(f, k, wall))
             continue;
-        for (const Triangle& t : wall) add_face_contacts(t, t.n, kWallEdge, m);
+        for (const Triangle& t : wall) add_wall_face_contacts(t, m);
     }
 }
 
@@ -276,7 +294,7 @@ void solid_on(const Facet& f, TerrainPair& m)
     if (least.on_crest)
         add_crest_contacts(f, least.normal, least.depth, m);
     else
-        add_face_contacts(f, kUp, kNoEdge, m);
+        add_face_contacts(f, m);
 }
 
 }  // namespace epode

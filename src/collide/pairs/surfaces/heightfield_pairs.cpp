@@ -278,6 +278,44 @@ void each_facet(const TerrainPair& m, const Cells& cells, const Samples& samples
         }
 }
 
+// What is computed once of the solid for all facets.
+template <typename Shape>
+struct KnownParts {
+    KnownParts(const ConvexView&, Real) {}
+    template <typename Prepare>
+    void add_to(TerrainPair&, const Prepare&)
+    {}
+};
+
+template <>
+struct KnownParts<Cylinder> {
+    CylinderEnds ends;
+    KnownParts(const ConvexView& solid, Real slack) : ends(solid, slack) {}
+    template <typename Prepare>
+    void add_to(TerrainPair& pair, const Prepare&)
+    {
+        pair.ends = &ends;
+    }
+};
+
+template <typename Shape>
+requires kByView<Shape>
+struct KnownParts<Shape> {
+    PlacedHull hull;
+    Real slack;
+    std::optional<FieldCorners> corners;
+    KnownParts(const ConvexView& solid, Real slack_) : hull(solid), slack(slack_) {}
+    template <typename Prepare>
+    void add_to(TerrainPair& pair, const Prepare& prepare)
+    {
+        if (!hull.there()) return;
+        prepare(hull);
+        pair.hull = &hull;
+        corners.emplace(hull, slack);
+        if (corners->there()) pair.corners = &*corners;
+    }
+};
+
 // Contacts in the field's frame, where there are holes under the solid.
 template <typename Shape>
 void collide_holed(const Shape& a, const Pose& A, const Terrain& terrain, const ConvexView& solid,
@@ -291,8 +329,9 @@ void collide_holed(const Shape& a, const Pose& A, const Terrain& terrain, const 
     ContactCollector collector(Real(1e-6) * (solid.size + solid.radius), sink);
     int i, j;
     HoleWalls walls(middle, terrain.cell_under(middle, i, j) && terrain.hole(i, j));
-    PlacedHull hull(solid);
-    TerrainPair pair{terrain, solid, box, slack, collector, &walls, hull.there() ? &hull : nullptr};
+    KnownParts<Shape> parts(solid, slack);
+    TerrainPair pair{terrain, solid, box, slack, collector, &walls};
+    parts.add_to(pair, [](PlacedHull&) {});
     AllNear any;
     each_facet(pair, cells, samples, any, [&](const Facet& f) {
         if (terrain.hole_beyond(f, 0) || terrain.hole_beyond(f, 2)) weigh_facet(a, A, f, pair);
@@ -331,9 +370,11 @@ void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, C
         if (level(samples, cells, first, slack)) return on_plane(a, A, {first.n, first.c}, sink);
     }
     ContactCollector collector(Real(1e-6) * (solid.size + solid.radius), sink);
-    PlacedHull hull(solid);
-    TerrainPair pair{terrain, solid, box, slack, collector, nullptr, hull.there() ? &hull : nullptr};
-    if (pair.hull) hull.keep_for_field(heights.highest + slack, steepest_sine(terrain, samples, cells));
+    KnownParts<Shape> parts(solid, slack);
+    TerrainPair pair{terrain, solid, box, slack, collector};
+    parts.add_to(pair, [&](PlacedHull& hull) {
+        hull.keep_for_field(heights.highest + slack, steepest_sine(terrain, samples, cells));
+    });
     Near<Shape> near(a, A, terrain, solid, slack);
     each_facet(pair, cells, samples, near, [&](const Facet& f) { meet_facet(a, A, f, pair); });
     collector.deliver(sink);

@@ -7,6 +7,7 @@
 #include "collide/pairs/polyhedra/placed_hull.h"
 #include "collide/pairs/surfaces/facet_contacts.h"
 #include "collide/pairs/surfaces/facet_manifold_builder.h"
+#include "collide/pairs/surfaces/field_corners.h"
 
 namespace epode {
 
@@ -15,10 +16,35 @@ namespace {
 // Marks of a corner: behind the walls of the prism, low, and on a face that looks down at the facet.
 constexpr unsigned kIn = 7, kLow = 8, kShown = 16;
 
+// The ways down from the corners of a facet.
+struct TriangleCorners {
+    const PlacedHull& hull;
+    const Triangle& face;
+    Vec3 up;
+    Real slack;
+    WayDown way;
+    const WayDown* way_down(int k)
+    {
+        way = {};
+        return way.find(hull, face.v[k], up, slack, nullptr) ? &way : nullptr;
+    }
+};
+struct KnownCorners {
+    FieldCorners& corners;
+    const Facet& facet;
+    const WayDown* way_down(int k) { return corners.way_down(facet, k); }
+};
+
+template <typename Corners>
 class HullManifoldBuilder {
   public:
-    HullManifoldBuilder(PlacedHull& hull, const Triangle& facet, FacetContacts& to)
-        : h_(hull), f_(facet), to_(to), marks_(hull.corner_marks()), height_(hull.scratch(0))
+    HullManifoldBuilder(PlacedHull& hull, const Triangle& facet, FacetContacts& to, const Corners& corners)
+        : h_(hull),
+          f_(facet),
+          to_(to),
+          corners_(corners),
+          marks_(hull.corner_marks()),
+          height_(hull.scratch(0))
     {
         h_.place();
         for (int k = 0; k < 3; ++k) beyond_[k] = h_.scratch(1 + k);
@@ -27,6 +53,7 @@ class HullManifoldBuilder {
     void all()
     {
         if (!place_heights()) return;
+        mark_low_corners();
         place_walls();
         find_shown_faces();
         edges();
@@ -53,29 +80,63 @@ class HullManifoldBuilder {
         return to_.low(lowest_);
     }
 
-    // The lowest corner counts, whatever faces it is of.
+    // Along a wall's normal; most walls of a field's columns are upright to an axis.
+    template <int kAxis>
+    EPODE_LANEWISE static Quad along(Vec3 out, const Real* four)
+    {
+        if constexpr (kAxis < 0) return QuadPlane(out).along(four);
+        return load_quad(four + 4 * kAxis) * quad(out[kAxis]);
+    }
+    static int axis_of(Vec3 out)
+    {
+        return out.y != 0 || (out.x != 0 && out.z != 0) ? -1 : out.z == 0 ? 0 : 2;
+    }
+
+    template <int kAxis>
+    void place_wall(int k)
+    {
+        const Vec3 out = to_.wall(k);
+        const Quad limit = quad(to_.wall_limit(k)), slack = quad(to_.slack());
+        Real* const to = beyond_[k];
+        unsigned char* const marks = marks_;
+        Quad farthest = quad(-kInf);
+        for (const int g : h_.corner_groups()) {
+            const Quad beyond = along<kAxis>(out, h_.corners(g)) - limit;
+            store_quad(to + 4 * g, beyond);
+            farthest = larger(beyond, farthest);
+            or_bytes(marks + 4 * g, byte_each(bits(beyond <= slack)) << k);
+        }
+        crossed_[k] = largest_lane(farthest) > 0;
+    }
+    static void or_bytes(unsigned char* to, std::uint32_t four)
+    {
+        std::uint32_t before;
+        std::memcpy(&before, to, 4);
+        store_bytes(to, before | four);
+    }
+
     void place_walls()
     {
-        const QuadPlane out[3] = {QuadPlane(to_.wall(0)), QuadPlane(to_.wall(1)), QuadPlane(to_.wall(2))};
-        const Quad slack = quad(to_.slack());
-        Quad farthest[3] = {quad(-kInf), quad(-kInf), quad(-kInf)};
+        for (int k = 0; k < 3; ++k) {
+            const int axis = axis_of(to_.wall(k));
+            axis == 0 ? place_wall<0>(k) : axis == 2 ? place_wall<2>(k) : place_wall<-1>(k);
+        }
+    }
+
+    // The lowest corner counts, whatever faces it is of.
+    void mark_low_corners()
+    {
+        const Quad slack = quad(to_.slack()), least = quad(lowest_);
+        bool shown = false;
         for (const int g : h_.corner_groups()) {
-            std::uint32_t marks = byte_each(bits(load_quad(height_ + 4 * g) <= slack)) * kLow;
-            for (int k = 0; k < 3; ++k) {
-                const Quad beyond = out[k].along(h_.corners(g)) - quad(to_.wall_limit(k));
-                store_quad(beyond_[k] + 4 * g, beyond);
-                farthest[k] = larger(beyond, farthest[k]);
-                marks |= byte_each(bits(beyond <= slack)) << k;
+            const Quad height = load_quad(height_ + 4 * g);
+            std::uint32_t marks = byte_each(bits(height <= slack)) * kLow;
+            if (const unsigned lowest = shown ? 0 : bits(height <= least)) {
+                marks |= byte_each(lowest & -lowest) * kShown;
+                shown = true;
             }
             store_bytes(marks_ + 4 * g, marks);
         }
-        for (int k = 0; k < 3; ++k) crossed_[k] = largest_lane(farthest[k]) > 0;
-        for (const int g : h_.corner_groups())
-            for (int i = 4 * g; i < 4 * g + 4; ++i)
-                if (height_[i] <= lowest_) {
-                    marks_[i] |= kShown;
-                    return;
-                }
     }
 
     void find_shown_faces()
@@ -89,14 +150,13 @@ class HullManifoldBuilder {
     void edges()
     {
         const unsigned char* const shown = h_.face_marks();
+        unsigned char* const marks = marks_;
         unsigned ends = 0;
         for (int k = 0; k < 3; ++k) ends |= to_.ends_at(k) ? 1u << k : 0;
-        for (int i = 0; i < h_.seams(); ++i) {
-            const PolyhedronEdge& seam = h_.seam(i);
-            if (!(shown[seam.left] | shown[seam.right])) continue;
-            const unsigned from = marks_[seam.from], to = marks_[seam.to];
-            marks_[seam.from] |= kShown, marks_[seam.to] |= kShown;
-            if (!((from | to) & kLow)) continue;
+        for (const PolyhedronEdge& seam : h_.seams()) {
+            const unsigned from = marks[seam.from], to = marks[seam.to];
+            if (!((from | to) & kLow) || !(shown[seam.left] | shown[seam.right])) continue;
+            marks[seam.from] |= kShown, marks[seam.to] |= kShown;  // matters where they are low
             for (unsigned some = (from ^ to) & ends; some; some &= some - 1)
                 cross_wall(__builtin_ctz(some), seam.from, seam.to);
         }
@@ -115,68 +175,19 @@ class HullManifoldBuilder {
         to_.give(p + t * (h_.corner(w) - p));
     }
 
-    // Not zero: what is divided by it counts only where it was not.
-    EPODE_LANEWISE static Quad usable(const Quad& way)
-    {
-        return if_less(quad(0), magnitude(way), way, quad(1));
-    }
-
     // A corner of the facet that is in the polyhedron or over it is brought down onto the face by which the way
     // down leaves.
     void triangle_corner(int k)
     {
         const Vec3 v = f_.v[k], up = to_.upright();
-        const Real depth = depth_below(v, up);
-        if (depth >= -to_.slack() && enters_before(v, up, depth) && leaves_by_shown(v, up, depth))
-            to_.give(v - depth * up);
-    }
-
-    // How far down the way leaves the polyhedron, if it is in it; no face that is left out looks down.
-    Real depth_below(Vec3 v, Vec3 up) const
-    {
-        const QuadPlane at(v), rise(up);
-        Quad leaves = quad(kInf);
-        for (int g = 0; g < h_.face_groups(); ++g) {
-            const Real* const four = h_.faces(g);
-            const Quad out = at.along(four) - load_quad(four + 12), way = rise.along(four);
-            leaves = smaller(if_less(way, quad(0), out / usable(way), quad(kInf)), leaves);
-        }
-        return -largest_lane(quad(0) - leaves);
-    }
-
-    // Whether it enters the polyhedron before that depth.
-    bool enters_before(Vec3 v, Vec3 up, Real depth) const
-    {
-        const QuadPlane at(v), rise(up);
-        const Quad none = quad(0);
-        for (int g = 0; g < h_.all_face_groups(); ++g) {
-            const Real* const four = h_.faces(g);
-            const Quad way = rise.along(four);
-            const unsigned up_or_aside = bits(none <= way);
-            if (!up_or_aside) continue;
-            const Quad out = at.along(four) - load_quad(four + 12);
-            const unsigned later = bits(none < way) & bits(quad(depth) < out / usable(way));
-            const unsigned aside = bits(none < out) & bits(way <= none);
-            if ((later | aside) & up_or_aside) return false;
-        }
-        return true;
-    }
-
-    bool leaves_by_shown(Vec3 v, Vec3 up, Real depth) const
-    {
-        const QuadPlane at(v), rise(up);
-        for (int g = 0; g < h_.face_groups(); ++g) {
-            const Real* const four = h_.faces(g);
-            const Quad way = rise.along(four), down = (at.along(four) - load_quad(four + 12)) / usable(way);
-            for (unsigned by = bits(way < quad(0)) & bits(down <= quad(depth)); by; by &= by - 1)
-                if (h_.face_marks()[4 * g + __builtin_ctz(by)]) return true;
-        }
-        return false;
+        const WayDown* const way = corners_.way_down(k);
+        if (way && way->leaves_by(h_, v, up, h_.face_marks())) to_.give(v - way->depth * up);
     }
 
     PlacedHull& h_;
     const Triangle& f_;
     FacetContacts& to_;
+    Corners corners_;
     unsigned char* const marks_;
     Real *const height_, *beyond_[3], lowest_ = 0;
     bool crossed_[3];
@@ -186,7 +197,15 @@ class HullManifoldBuilder {
 
 void collect_hull_contacts(PlacedHull& hull, const Triangle& face, FacetContacts& contacts)
 {
-    HullManifoldBuilder(hull, face, contacts).all();
+    using Corners = TriangleCorners;
+    const Corners corners{hull, face, contacts.upright(), contacts.slack(), {}};
+    HullManifoldBuilder<Corners>(hull, face, contacts, corners).all();
+}
+
+void collect_field_contacts(PlacedHull& hull, FieldCorners& corners, const Facet& facet,
+                            FacetContacts& contacts)
+{
+    HullManifoldBuilder<KnownCorners>(hull, facet, contacts, KnownCorners{corners, facet}).all();
 }
 
 }  // namespace epode

@@ -9,7 +9,7 @@
 
 #include "bvh/mesh_tree.h"
 #include "collide/pairs/surfaces/on_surface.h"
-#include "collide/pairs/surfaces/triangle_list.h"
+#include "collide/surfaces/triangle_list.h"
 
 namespace epode {
 

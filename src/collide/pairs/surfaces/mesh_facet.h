@@ -14,7 +14,7 @@
 #include "collide/pairs/contact_collector.h"
 #include "collide/pairs/polyhedra/placed_hull.h"
 #include "collide/pairs/surfaces/on_surface.h"
-#include "collide/pairs/surfaces/triangle_list.h"
+#include "collide/surfaces/triangle_list.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_mesh.h"
 

@@ -169,7 +169,7 @@ class LeastWay : public Way {
         return !m_.hull || hull_axes(HullAxes(*m_.hull, f_, false));
     }
 
-    bool hull_axes(const HullAxes& axes)
+    bool hull_axes(HullAxes axes)
     {
         const Real worth = kFaceFirst * depth;
         return axes.faces(worth, m_.slack, [this](Vec3 n, Real d) { consider(n, d); }) &&
