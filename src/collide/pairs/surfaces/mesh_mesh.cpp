@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <optional>
 
 #include "collide/pairs/surfaces/crossing_table.h"
 #include "collide/pairs/surfaces/triangle_triangle.h"
@@ -66,8 +67,34 @@ class TriangleContactList {
         return true;
     }
 
+    // The shallowest first. Not inlined, for stacks are small.
+    [[gnu::noinline]] void sort()
+    {
+        if (count_ > kFew) return std::sort(begin(), end(), before<TriangleContact>);
+        Key keys[kFew];  // contacts are large: each is moved once
+        for (int i = 0; i < count_; ++i) keys[i] = {few_[i].depth, few_[i].a, few_[i].b, i};
+        std::sort(keys, keys + count_, before<Key>);
+        for (int i = 0; i < count_; ++i) {
+            if (keys[i].from == i) continue;
+            const TriangleContact first = few_[i];
+            int to = i;
+            for (int from; (from = keys[to].from) != i; to = from) few_[to] = few_[from], keys[to].from = to;
+            few_[to] = first, keys[to].from = to;
+        }
+    }
+
   private:
     static constexpr int kFew = 40;
+    struct Key {
+        Real depth;
+        int a, b, from;
+    };
+    template <typename T>
+    static bool before(const T& x, const T& y)
+    {
+        if (x.depth != y.depth) return x.depth < y.depth;
+        return x.a != y.a ? x.a < y.a : x.b < y.b;
+    }
     union {
         TriangleContact few_[kFew];  // in a union: left unwritten until added
     };
@@ -144,10 +171,7 @@ class Shallower {
 template <typename Other>
 void collect(TriangleContactList& contacts, const Other& b, ContactCollector& collector)
 {
-    std::sort(contacts.begin(), contacts.end(), [](const TriangleContact& x, const TriangleContact& y) {
-        if (x.depth != y.depth) return x.depth < y.depth;
-        return x.a != y.a ? x.a < y.a : x.b < y.b;
-    });
+    contacts.sort();
     Shallower<Other> shallower(contacts.begin(), contacts.count(), b);
     for (int i = 0; i < contacts.count(); ++i) {
         const TriangleContact& p = contacts.begin()[i];
@@ -200,10 +224,11 @@ void meet(const Surface& a, const Pose& P, Other& b, ContactSink& sink)
         const PlacedCorners corners = placed_corners(a.mesh, t, P);
         const Aabb box = box_of(corners.v);
         if (!overlap(box, b.box())) return true;
-        PlacedFacet fa = placed(a.mesh, t, P, corners);
+        std::optional<PlacedFacet> fa;  // half of the triangles have no facet near
         b.each(box, [&](PlacedFacet& fb) {
             TriangleContact contact;
-            return !triangle_triangle(fa, fb, tolerance, contact) || contacts.add(contact);
+            if (!fa) fa.emplace(placed(a.mesh, t, P, corners));
+            return !triangle_triangle(*fa, fb, tolerance, contact) || contacts.add(contact);
         });
         return true;
     });
@@ -243,6 +268,10 @@ class TerrainSide {
         x_ = samples_under(near.lo.x, near.hi.x, o.x, cell.x, terrain.cells_x(), terrain.endless());
         z_ = samples_under(near.lo.z, near.hi.z, o.z, cell.z, terrain.cells_z(), terrain.endless());
         if (x_.count() < 2 || z_.count() < 2) return;
+        if (!terrain.holed()) {
+            take_all();
+            return;
+        }
         for (int j = z_.from; j < z_.to; ++j)
             for (int i = x_.from; i < x_.to; ++i) {
                 if (terrain.hole(i, j)) {
@@ -289,6 +318,24 @@ class TerrainSide {
     }
 
   private:
+    // Of a window without holes.
+    void take_all()
+    {
+        constexpr int kAtOnce = 32;
+        Real some[kAtOnce], lowest = kInf, highest = -kInf;
+        for (int j = z_.from; j <= z_.to; ++j)
+            for (int i = x_.from; i <= x_.to; i += kAtOnce) {
+                const int count = std::min(kAtOnce, x_.to - i + 1);
+                terrain_.heights(i, j, count, some);
+                for (int k = 0; k < count; ++k) {
+                    lowest = some[k] < lowest ? some[k] : lowest;
+                    highest = some[k] > highest ? some[k] : highest;
+                }
+            }
+        take(terrain_.vertex(x_.from, z_.from, lowest));
+        take(terrain_.vertex(x_.to, z_.to, highest));
+        lowest_ = box_.lo.y;
+    }
     void take(Vec3 v) { box_ = {min(box_.lo, v), max(box_.hi, v)}; }
 
     // Cells of the window from one place to another, and a little more to each side for rounding.
@@ -309,12 +356,14 @@ class TerrainSide {
         const Real deep = terrain_.holed() ? terrain_.thickness() : Real(0);
         if (cell.highest < box.lo.y || cell.lowest - deep > box.hi.y) return true;
         for (const bool upper : {false, true}) {
+            PlacedFacet& f = cell.facets[upper];
+            const bool near = overlap(cell.boxes[upper], box);
+            if (!cell.there[upper]) continue;
+            if (near && !visit(f)) return false;
+            if (!terrain_.holed()) continue;
             Aabb all = cell.boxes[upper];
             all.lo.y -= deep;
-            if (!overlap(all, box) || !cell.there[upper]) continue;
-            PlacedFacet& f = cell.facets[upper];
-            if (overlap(cell.boxes[upper], box) && !visit(f)) return false;
-            if (terrain_.holed() && !walls(f, box, visit)) return false;
+            if (overlap(all, box) && !walls(f, box, visit)) return false;
         }
         return true;
     }

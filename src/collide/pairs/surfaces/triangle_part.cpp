@@ -4,21 +4,23 @@
 // Sutherland and Hodgman's cutting (1974) as in geometry/clip.h, with the mark of each corner carried along.
 #include "collide/pairs/surfaces/triangle_part.h"
 
+#include <utility>
+
 namespace epode {
 
 namespace {
 
-// Keeps the part with normal . x <= limit + slack.
-void cut(TrianglePart& part, Vec3 normal, Real limit, Real slack, bool seam)
+// The part with normal . x <= limit + slack goes to `kept`; false where that is all of it.
+bool cut(const TrianglePart& part, Vec3 normal, Real limit, Real slack, bool seam, TrianglePart& kept)
 {
-    Real distance[TrianglePart::kMax];
+    Real distance[TrianglePart::kMax + 1];
     bool all = true;
     for (int i = 0; i < part.count; ++i) {
         distance[i] = dot(normal, part.points[i]) - limit;
         all = all && distance[i] <= slack;
     }
-    if (all) return;
-    TrianglePart kept;
+    if (all) return false;
+    kept.count = 0;
     for (int i = 0; i < part.count; ++i) {
         const bool in = distance[i] <= slack;
         if (in) kept.add(part.points[i], part.seam[i]);
@@ -28,8 +30,7 @@ void cut(TrianglePart& part, Vec3 normal, Real limit, Real slack, bool seam)
         const Real t = distance[i] / (distance[i] - distance[j]);
         kept.add(part.points[i] + t * (part.points[j] - part.points[i]), seam);
     }
-    part.count = 0;
-    for (int i = 0; i < kept.count; ++i) part.add(kept.points[i], kept.seam[i]);
+    return true;
 }
 
 }  // namespace
@@ -49,8 +50,13 @@ Prism::Prism(const MeshFacet& f) : Prism(f, f.n)
 
 void cut_to_prism(TrianglePart& part, const Prism& prism, bool seams, Real slack)
 {
-    for (int k = 0; k < 3 && part.count > 0; ++k)
-        cut(part, prism.out[k], prism.limit[k], slack, seams && prism.seam[k]);
+    TrianglePart other;
+    TrianglePart *from = &part, *to = &other;
+    for (int k = 0; k < 3 && from->count > 0; ++k)
+        if (cut(*from, prism.out[k], prism.limit[k], slack, seams && prism.seam[k], *to)) std::swap(from, to);
+    if (from == &part) return;
+    part.count = 0;
+    for (int i = 0; i < other.count; ++i) part.add(other.points[i], other.seam[i]);
 }
 
 }  // namespace epode

@@ -39,13 +39,21 @@ PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose, con
 // The contact of one pair of triangles: moving a by depth * normal separates the two.
 struct TriangleContact {
     static constexpr int kMax = 6;  // corners of a triangle cut by a triangle's prism, seams left out
-    int a = -1, b = -1;             // the triangles
-    Vec3 corners_a[3], corners_b[3];
-    Vec3 normal;  // from b into a
-    Real depth = 0;
-    bool allowed = false;  // by both meshes; if not, the least way out, one point
+    TriangleContact() {}
     int count = 0;
-    Vec3 points[kMax];
+    bool allowed = false;  // by both meshes; if not, the least way out, one point
+    Real depth = 0;
+    Vec3 normal;         // from b into a
+    int a = -1, b = -1;  // the triangles
+    union {
+        Vec3 corners_a[3];  // in unions: left unwritten until found
+    };
+    union {
+        Vec3 corners_b[3];
+    };
+    union {
+        Vec3 points[kMax];
+    };
     Real depths[kMax];
     void add(Vec3 point, Real how_deep)
     {
