@@ -56,7 +56,7 @@ void PairAhead::collide_after(const SpeculativeMotion& time, ContactArray& out) 
 SpeculativeMotion PairAhead::find(bool swift, ContactArray& out) const
 {
     SpeculativeMotion met = soon_;
-    const Real part = swift ? share_before_meeting() : 1;
+    const Real part = swift ? first_share() : 1;
     for (Real share = part;; share = std::min(share + part, Real(1))) {
         met.h = share * soon_.h;
         collide_after(met, out);
@@ -67,7 +67,7 @@ SpeculativeMotion PairAhead::find(bool swift, ContactArray& out) const
 }
 
 // Of two solids a part of the way that is no longer than they are thick; else until the middle of a solid is at a mesh.
-Real PairAhead::share_before_meeting() const
+Real PairAhead::first_share() const
 {
     if (is_solid(first_.geom) && is_solid(second_.geom))
         return 1 / Real(parts_of_way(first_.geom, second_.geom, way()));
@@ -133,7 +133,7 @@ void PairAhead::add_other_parts(ContactArray& out) const
 {
     if (!(way() > kDeep * thickness(first_.geom, second_.geom))) return;
     SpeculativeMotion met = soon_;
-    met.h *= share_before_meeting();
+    met.h *= first_share();
     dContactGeom found[kMostPoints];
     ContactArray there{found, int(sizeof(dContactGeom)), kMostPoints, false};
     collide_after(met, there);

@@ -51,7 +51,7 @@ class PairAhead {
 
   private:
     Real way_at(Vec3 velocity) const;
-    Real share_before_meeting() const;
+    Real first_share() const;
     void collide_after(const SpeculativeMotion& time, ContactArray& out) const;
     void go_back(SpeculativeMotion& met, ContactArray& out) const;
     void add_expected(dContactGeom c, const SpeculativeMotion& met, ContactArray& out) const;
