@@ -13,8 +13,8 @@
 #include <span>
 
 #include "bvh/near_leaves.h"
-#include "contacts/contact_pair.h"
 #include "contacts/ahead/speculative_motion.h"
+#include "contacts/contact_pair.h"
 
 namespace epode {
 

@@ -9,8 +9,8 @@
 #include "base/array.h"
 #include "collide/space.h"
 #include "contacts/active_geoms.h"
-#include "contacts/contact_pair.h"
 #include "contacts/ahead/speculative_motion.h"
+#include "contacts/contact_pair.h"
 
 namespace epode {
 
