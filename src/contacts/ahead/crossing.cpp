@@ -42,7 +42,8 @@ Real share_before(const PlacedGeom& solid, const Pose& soon, const PlacedGeom& m
     const RayHit hit = cast_long_ray(from, direction, solid.geom, mesh.geom, mesh.pose);
     if (!(hit.distance < way)) return 1;
     const Real before = half_thickness(solid.geom) / (2 * std::fabs(dot(hit.normal, direction)));
-    return std::max((hit.distance - before) / way, kLeast);
+    const Real share = (hit.distance - before) / way;
+    return share > kLeast ? share : kLeast;  // not a number, where what has no thickness slides along
 }
 
 }  // namespace

@@ -56,11 +56,12 @@ void PairAhead::collide_after(const SpeculativeMotion& time, ContactArray& out) 
 SpeculativeMotion PairAhead::find(bool swift, ContactArray& out) const
 {
     SpeculativeMotion met = soon_;
-    const Real part = swift ? first_share() : 1;
-    for (Real share = part;; share = std::min(share + part, Real(1))) {
+    const bool solids = is_solid(first_.geom) && is_solid(second_.geom);
+    const Real part = swift ? first_share() : 1, further = solids ? part : 1;
+    for (Real share = part;; share = std::min(share + further, Real(1))) {
         met.h = share * soon_.h;
         collide_after(met, out);
-        if (out.count > 0 || share == 1) break;
+        if (out.count > 0 || !(share < 1)) break;
     }
     if (out.count > 0) go_back(met, out);
     return met;
