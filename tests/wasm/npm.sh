@@ -35,5 +35,5 @@ by_brotli() { node -e 'process.stdout.write(String(require("zlib").brotliCompres
 brotli=$(by_brotli node_modules/epode/lib/epode.wasm)
 echo "npm: module with robots of $(by_brotli node_modules/epode/lib/epode_robots.wasm) bytes by brotli"
 echo "npm: module of $size bytes by gzip, $brotli by brotli"
-# It was 885,772 on 2026-12-01. wasm-ld's -Map says what a module is made of.
+# It was 896,902 on 2026-12-01. wasm-ld's -Map says what a module is made of.
 [ "$brotli" -le 900000 ] || { echo "npm: the module is larger than 900 kB"; exit 1; }
