@@ -57,7 +57,7 @@ void build(Scene& scene)
     for (int i = 0; i < 3; ++i) {
         const dBodyID ball =
             add_sphere(scene, 0.19, 7700, {1.7 * (i - 1), -6.0 - 9 * i, 1.2 + 0.35 * ((i + 1) % 3)});
-        set_velocity(ball, {0, 16, 1.6 + 2.7 * i});
+        set_velocity(ball, {0, 14, 1.6 + 2.7 * i});
         scene.tracked.push_back(ball);
     }
     set_view(scene, {-6.5, -8, 4}, {0.3, 0.6, 1});
