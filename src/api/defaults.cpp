@@ -134,7 +134,7 @@ int dWorldUseDefaults(dWorldID w, int preset)
     return 1;
 }
 
-int dDefaultsText(int preset, char* text, int size)
+[[gnu::cold]] int dDefaultsText(int preset, char* text, int size)
 {
     const FloatEnvironment floats;
     EPODE_USER_SAY(is_preset(preset), "a preset that is no dDefaults", 0);

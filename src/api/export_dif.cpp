@@ -116,7 +116,7 @@ void write_joint(DifWriter& out, const Joint& joint, int index)
 
 }  // namespace
 
-extern "C" void dWorldExportDIF(dWorldID w, FILE* file, const char* world_name)
+extern "C" [[gnu::cold]] void dWorldExportDIF(dWorldID w, FILE* file, const char* world_name)
 {
     World* const world = from_handle<World>(w);
     EPODE_USER(world && file);

@@ -13,6 +13,6 @@
 namespace epode {
 
 // `space`: the outermost one of the geoms without bodies; null: none. Null: done; else why not, with nothing changed.
-const char* shift_origin(World& world, Space* space, Vec3 by);
+[[gnu::cold]] const char* shift_origin(World& world, Space* space, Vec3 by);
 
 }  // namespace epode

@@ -74,7 +74,7 @@ bool fill_arena(Arena& arena, CounterRandom& random, int depth)
     return true;
 }
 
-bool check_arena()
+[[gnu::cold]] bool check_arena()
 {
     Arena arena;
     for (int turn = 0; turn < 3; ++turn) {

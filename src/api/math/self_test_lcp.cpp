@@ -222,7 +222,8 @@ bool report(const char* what, int count, double worst, double limit)
 
 }  // namespace
 
-extern "C" int dTestSolveLCP(void)
+// Cold, as nobody waits for it: half the code.
+extern "C" [[gnu::cold]] int dTestSolveLCP(void)
 {
     std::printf("dTestSolveLCP()\n");
     const bool dense =

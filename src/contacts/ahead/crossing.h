@@ -29,6 +29,6 @@ bool may_pass(const Geom& first, const Geom& second, Real way);
 int parts_of_way(const Geom& first, const Geom& second, Real way);
 
 // The share of the step after which a solid has met the mesh that its middle will have crossed; 1: it does not cross it.
-Real share_before_crossing(const PairWay& pair);
+[[gnu::cold]] Real share_before_crossing(const PairWay& pair);
 
 }  // namespace epode

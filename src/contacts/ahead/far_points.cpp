@@ -56,7 +56,7 @@ class FarPoints {
     }
 
     template <typename Found>
-    void look_below(Vec3 direction, Found&& found) const
+    [[gnu::noinline]] void look_below(Vec3 direction, Found&& found) const
     {
         const Vec3 p = solid_.support(direction) - solid_.radius * up_;
         const Real above = kAbove * size_;

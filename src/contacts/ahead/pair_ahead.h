@@ -34,14 +34,14 @@ class PairAhead {
     SpeculativeMotion find(bool swift, ContactArray& out) const;
     // Who ends the step nearer to the far side of a thin floor leaves it there; on its way it met the near side. Bisects for a time at which
     // it is still shallow: a die of 16 mm falls through 20 mm at 2 m/s otherwise. Returns the time.
-    SpeculativeMotion find_earlier(SpeculativeMotion met, ContactArray& out) const;
+    [[gnu::cold]] SpeculativeMotion find_earlier(SpeculativeMotion met, ContactArray& out) const;
 
     // The place of a contact that has been found after `met`, on the surface of the first.
     void move_to_surface(dContactGeom& c, const SpeculativeMotion& met) const;
     // Points of both that are near there, see far_points.h: what lands on one end may come down at twice the speed.
     void add_far(const Pose& first, const Pose& second, ContactArray& out) const;
     // Who slides along a surface may meet another part of it: contacts with that, as they are now.
-    void add_other_parts(ContactArray& out) const;
+    [[gnu::cold]] void add_other_parts(ContactArray& out) const;
 
     // Where a contact between at1 and at2 that is found after `met` is now: until then the point goes along with the one that moves, see
     // solve/substeps/manifold_kernels.inc.
@@ -53,8 +53,8 @@ class PairAhead {
     Real way_at(Vec3 velocity) const;
     Real first_share() const;
     void collide_after(const SpeculativeMotion& time, ContactArray& out) const;
-    void go_back(SpeculativeMotion& met, ContactArray& out) const;
-    void add_expected(dContactGeom c, const SpeculativeMotion& met, ContactArray& out) const;
+    [[gnu::cold]] void go_back(SpeculativeMotion& met, ContactArray& out) const;
+    [[gnu::cold]] void add_expected(dContactGeom c, const SpeculativeMotion& met, ContactArray& out) const;
 
     const Body *body1_, *body2_;
     const PlacedGeom first_, second_;

@@ -62,8 +62,8 @@ void rim_directions(Real low_x, Real low_y, Real weight, Real (&out)[4][2])
 }
 
 // The four deepest corners of a rod that comes down on one end are those of this end; it lands on the side that looks down most.
-[[gnu::noinline]] void add_lowest_side(Vec3 middle, const Vec3 (&sides)[3][2], Vec3 n, const Plane& plane,
-                                       ContactSink& sink)
+[[gnu::cold]] void add_lowest_side(Vec3 middle, const Vec3 (&sides)[3][2], Vec3 n, const Plane& plane,
+                                   ContactSink& sink)
 {
     const Vec3 slant = abs(n);
     const int k = slant.x >= slant.y && slant.x >= slant.z ? 0 : slant.y >= slant.z ? 1 : 2;
