@@ -17,6 +17,7 @@ constexpr Real kLying = Real(0.7);   // cosine between an axis and the normal
 constexpr Real kSame = Real(0.05);   // of the size, between points that are one
 constexpr Real kAlike = Real(0.7);   // cosine between the normals here and there
 constexpr Real kAbove = Real(1e-3);  // of the size, where rays start
+
 class FarPoints {
   public:
     // `up`: out of the other one.
