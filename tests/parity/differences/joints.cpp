@@ -334,6 +334,25 @@ DIFFERENCE(D47, gap, "a hinge whose step is longer than the gap between its stop
     return fastest < 5.1;
 }
 
+// The rate at which a stop throws back a hinge that begins 0.25 rad beyond it, in a world that corrects at 1 m/s at most.
+DIFFERENCE(D52, thrown_back, "what is beyond its stop is brought back without a speed where corrections are bounded")
+{
+    const World world;
+    const dBodyID b = world.body(0, 0, 0);
+    dWorldSetContactMaxCorrectingVel(world.id, 1);
+    const dJointID j = attached(dJointCreateHinge(world.id, nullptr), b, nullptr);
+    dJointSetHingeAnchor(j, 0, 0, 0);
+    dJointSetHingeAxis(j, 0, 0, 1);
+    dJointSetHingeParam(j, dParamHiStop, -0.25);
+    double fastest = 0;
+    for (int i = 0; i < 400; ++i) {
+        dWorldStep(world.id, 0.001);
+        fastest = std::fmax(fastest, std::fabs(dBodyGetAngularVel(b)[2]));
+    }
+    note("fastest", fastest), note("angle", dJointGetHingeAngle(j));
+    return fastest < 0.05 && std::fabs(dJointGetHingeAngle(j) + 0.25) < 0.01;
+}
+
 DIFFERENCE(D42, linear, "a fourth group of a linear motor's parameters is none of its axes")
 {
     const World world;
