@@ -47,12 +47,19 @@ class Prepared {
     // Of tendons the lengths between which their springs rest.
     const std::vector<std::array<double, 2>>& rests() const { return rests_; }
     const std::vector<std::array<int, 2>>& overlapping() const { return overlapping_; }
+    // The numbers of those that act on it.
+    const std::vector<int>& actuators_of_joint(int joint) const { return joint_actuators_[size_t(joint)]; }
+    const std::vector<int>& actuators_of_tendon(int tendon) const
+    {
+        return tendon_actuators_[size_t(tendon)];
+    }
 
   private:
     void make_hulls(int mesh);
     void make_triangles(size_t number);
     void make_heights();
     void make_rests();
+    void list_actuators();
     void find_overlapping();
 
     RobotModel model_;
@@ -66,6 +73,7 @@ class Prepared {
     std::vector<std::vector<dReal>> corners_;
     std::vector<std::vector<dTriIndex>> indices_;
     std::vector<std::array<int, 2>> overlapping_;
+    std::vector<std::vector<int>> joint_actuators_, tendon_actuators_;
 };
 
 // A position drive that a program has put on a joint.
@@ -240,7 +248,9 @@ class Robot {
     bool is_state(const std::vector<double>& numbers) const;
     bool has_clock() const;
     void set_drives();
-    void set_drive(const Passive& passive, const Servo& servo, double limit, int joint, int tendon);
+    // `largest`: of all motors together.
+    void set_drive(const Passive& passive, const Servo& servo, double limit, double largest,
+                   const std::vector<int>& actuators);
     void set_joint_drive(int joint);
     void set_tendon_drive(int tendon);
     void set_limits(int number, dJointID its) const;

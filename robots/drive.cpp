@@ -203,9 +203,10 @@ void Robot::set_joint_drive(int number)
     if (joint.kind == JointKind::kBall) return set_turn_drive(number);
     if (!joint.is_scalar()) return;
     const double limit = servo.stiffness > 0 || servo.damping > 0 ? joint.max_force : kInfinity;
+    const double largest = joint.max_force > 0 ? joint.max_force : kInfinity;
     set_drive({joints_[size_t(number)], joint.reference, joint.stiffness, joint.spring_reference,
                joint.damping, joint.armature, joint.friction},
-              servo, limit, number, -1);
+              servo, limit, largest, prepared_->actuators_of_joint(number));
 }
 
 // Of a ball: a drive along each of the link's axes. With the rotation vector r an actuator with the gear g exerts
@@ -217,13 +218,13 @@ void Robot::set_turn_drive(int number)
     const Joint& joint = model().joints[size_t(number)];
     for (int axis = 0; axis < 3; ++axis) {
         double k = 0, d = 0, force = 0, limit = kInfinity;
-        for (size_t i = 0; i < model().actuators.size(); ++i) {
-            const Actuator& a = model().actuators[i];
-            const double g = a.joint == number ? a.direction[axis] : 0;
+        for (int i : prepared_->actuators_of_joint(number)) {
+            const Actuator& a = model().actuators[size_t(i)];
+            const double g = a.direction[axis];
             if (g == 0) continue;
-            const Slope slope = slope_of(i);
+            const Slope slope = slope_of(size_t(i));
             k += g * g * slope.position, d += g * g * slope.velocity;
-            force += g * clamped_force(i);
+            force += g * clamped_force(size_t(i));
             if (slope.is_servo())
                 limit = std::min(limit, std::fabs(g) * std::max(-a.force_low, a.force_high));
         }
@@ -252,7 +253,7 @@ void Robot::set_tendon_drive(int number)
         r += term.factor * model().joints[size_t(term.joint)].reference;
     set_drive({tendons_[size_t(number)], r, tendon.stiffness, prepared_->rests()[size_t(number)][0],
                tendon.damping, tendon.armature, tendon.friction},
-              {}, kInfinity, -1, number);
+              {}, kInfinity, kInfinity, prepared_->actuators_of_tendon(number));
 }
 
 int Robot::add_lifts() const
@@ -298,22 +299,20 @@ int Robot::add_fluid_forces(double stepsize)
     return count;
 }
 
-void Robot::set_drive(const Passive& passive, const Servo& servo, double limit, int joint, int tendon)
+void Robot::set_drive(const Passive& passive, const Servo& servo, double limit, double largest,
+                      const std::vector<int>& actuators)
 {
     if (!passive.id) return;
     const double r = passive.reference;
     double k = passive.stiffness + servo.stiffness, d = passive.damping + servo.damping;
     double sum = passive.stiffness * (passive.rest - r) + servo.stiffness * (servo.target - r), motors = 0;
-    const double stated = joint >= 0 ? model().joints[size_t(joint)].max_force : kInfinity;
-    const double largest = stated > 0 ? stated : kInfinity;  // of all actuators together
-    for (size_t i = 0; i < model().actuators.size(); ++i) {
-        const Actuator& a = model().actuators[i];
-        if (joint >= 0 ? a.joint != joint : a.tendon != tendon) continue;
+    for (int i : actuators) {
+        const Actuator& a = model().actuators[size_t(i)];
         const double g = a.gear;
-        const Slope slope = slope_of(i);
+        const Slope slope = slope_of(size_t(i));
         k += g * g * slope.position, d += g * g * slope.velocity;
         const bool is_servo = slope.is_servo();
-        (is_servo ? sum : motors) += g * (clamped_force(i) - slope.position * g * r);
+        (is_servo ? sum : motors) += g * (clamped_force(size_t(i)) - slope.position * g * r);
         if (is_servo) limit = std::min({limit, largest, std::fabs(g) * std::max(-a.force_low, a.force_high)});
     }
     sum += std::clamp(motors, -largest, largest);

@@ -39,6 +39,17 @@ void Prepared::make_rests()
     }
 }
 
+void Prepared::list_actuators()
+{
+    joint_actuators_.resize(model_.joints.size()), tendon_actuators_.resize(model_.tendons.size());
+    if (model_.has_errors()) return;
+    for (size_t i = 0; i < model_.actuators.size(); ++i) {
+        const Actuator& its = model_.actuators[i];
+        if (its.joint >= 0) joint_actuators_[size_t(its.joint)].push_back(int(i));
+        if (its.tendon >= 0) tendon_actuators_[size_t(its.tendon)].push_back(int(i));
+    }
+}
+
 Prepared::Prepared(RobotModel model)
     : model_(std::move(model)),
       springs_(model_),
@@ -50,6 +61,7 @@ Prepared::Prepared(RobotModel model)
 {
     make_heights();
     make_rests();
+    list_actuators();
     std::set<int> known;
     const auto prepare = [&](const Shape& shape, bool touches) {
         if (shape.mesh < 0 || !known.insert(shape.mesh).second) return;

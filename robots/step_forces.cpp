@@ -159,18 +159,20 @@ void Robot::wake(const Tendon& tendon) const
 double Robot::stiffness(int tendon) const
 {
     double sum = model().tendons[size_t(tendon)].stiffness;
-    for (size_t i = 0; i < model().actuators.size(); ++i)
-        if (const Actuator& a = model().actuators[i]; a.tendon == tendon)
-            sum += a.gear * a.gear * std::max(0.0, slope_of(i).position);
+    for (int i : prepared_->actuators_of_tendon(tendon)) {
+        const double gear = model().actuators[size_t(i)].gear;
+        sum += gear * gear * std::max(0.0, slope_of(size_t(i)).position);
+    }
     return sum;
 }
 
 double Robot::damping(int tendon) const
 {
     double sum = model().tendons[size_t(tendon)].damping;
-    for (size_t i = 0; i < model().actuators.size(); ++i)
-        if (const Actuator& a = model().actuators[i]; a.tendon == tendon)
-            sum += a.gear * a.gear * std::max(0.0, slope_of(i).velocity);
+    for (int i : prepared_->actuators_of_tendon(tendon)) {
+        const double gear = model().actuators[size_t(i)].gear;
+        sum += gear * gear * std::max(0.0, slope_of(size_t(i)).velocity);
+    }
     return sum;
 }
 
@@ -182,13 +184,13 @@ double Robot::force(const Pull& pull, double h) const
     const auto& rest = prepared_->rests()[size_t(pull.tendon)];
     double out =
         -stiff * tendon.stiffness * beyond(length, rest[0], rest[1]) - damp * tendon.damping * pull.rate;
-    for (size_t i = 0; i < model().actuators.size(); ++i) {
-        const Actuator& a = model().actuators[i];
-        if (a.tendon != pull.tendon) continue;
-        const Slope slope = slope_of(i);
+    for (int i : prepared_->actuators_of_tendon(pull.tendon)) {
+        const Actuator& a = model().actuators[size_t(i)];
+        const double input = inputs_[size_t(i)];
+        const Slope slope = slope_of(size_t(i));
         const double steady = a.muscle.acts
-                                  ? muscle_force(a.muscle, inputs_[i], a.gear * length, a.gear * pull.rate)
-                                  : a.gain * inputs_[i] + a.bias - slope.position * a.gear * length;
+                                  ? muscle_force(a.muscle, input, a.gear * length, a.gear * pull.rate)
+                                  : a.gain * input + a.bias - slope.position * a.gear * length;
         const double its = (slope.position > 0 ? stiff * steady : steady) -
                            (slope.velocity > 0 ? damp : 1) * slope.velocity * a.gear * pull.rate;
         out += a.gear * std::clamp(its, a.force_low, a.force_high);

@@ -64,7 +64,7 @@ class Robots:
         doc="A row of ``Robot.velocities`` for each robot.")
 
     controls: Value[FloatArray, ArrayLike] = Value(
-        lambda self: self._each(lambda robot: robot.controls),
+        lambda self: _c._many_controls(self._live),
         lambda self, value: _c._set_many_controls(self._live, self._rows(value, len(self.model.actuators))),
         doc="A row of ``Robot.controls`` for each robot.")
 
@@ -92,12 +92,12 @@ class Robots:
     @property
     def forces(self) -> FloatArray:
         """A row of ``Robot.drive_forces`` for each robot."""
-        return self._each(lambda robot: robot.drive_forces)
+        return _c._many_drive_forces(self._live)
 
     @property
     def poses(self) -> FloatArray:
         """``Robot.poses`` of each robot: (robots, links, 7)."""
-        return self._each(lambda robot: robot.poses)
+        return _c._many_link_poses(self._live).reshape(len(self), -1, 7)
 
     def pose(self, frame: str) -> tuple[FloatArray, FloatArray]:
         """Positions (robots, 3) and quaternions (robots, 4) of a frame in its world."""

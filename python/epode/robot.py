@@ -199,7 +199,7 @@ class Model:
     @property
     def reference(self) -> FloatArray:
         """The positions in which the file describes the robot."""
-        return np.zeros(0) if self.position_count == 0 else self._model.reference
+        return self._model.reference
 
     @property
     def low(self) -> FloatArray:
@@ -263,8 +263,7 @@ class Model:
     def constraints(self, positions: ArrayLike) -> tuple[FloatArray, FloatArray]:
         """What couplings and loops ask: how far they are from it, and the derivative of that by the velocities, a row each (one
         of a coupling, three of a loop, six of a welded one). Motions that keep them are those that the matrix maps to 0."""
-        errors, slope = self._model.constraints(positions)
-        return (np.zeros(0) if errors is None else errors), slope  # None: there are none
+        return self._model.constraints(positions)
 
     @property
     def tendon_names(self) -> list[str]:
@@ -274,8 +273,7 @@ class Model:
     def tendons(self, positions: ArrayLike) -> tuple[FloatArray, FloatArray]:
         """The lengths of all tendons, of spatial ones along their paths, m, and their moment arms: the derivatives of the
         lengths by the velocities, a row each."""
-        lengths, slope = self._model.tendons(positions)
-        return (np.zeros(0) if lengths is None else lengths), slope  # None: there are none
+        return self._model.tendons(positions)
 
     def inverse_dynamics(self, positions: ArrayLike, velocities: ArrayLike | None = None,
                          accelerations: ArrayLike | None = None) -> FloatArray:
@@ -555,7 +553,7 @@ class Robot:
     @property
     def controls(self) -> FloatArray:
         """The controls of all actuators; setting them clamps each to its range."""
-        return np.array([self._live.control(i) for i in range(len(self.model.actuators))])
+        return self._live.controls()
 
     @controls.setter
     def controls(self, values: ArrayLike) -> None:
@@ -589,7 +587,7 @@ class Robot:
     def activations(self) -> FloatArray:
         """What the forces of filtered actuators follow instead of their controls; 0 of those without a filter. Setting them
         clamps each to its range."""
-        return np.array([self._live.activation(i) for i in range(len(self.model.actuators))])
+        return self._live.activations()
 
     @activations.setter
     def activations(self, values: ArrayLike) -> None:
@@ -599,7 +597,7 @@ class Robot:
     @property
     def actuator_forces(self) -> FloatArray:
         """What the actuators exert now, N or N m, before their gears."""
-        return self._live.actuator_forces() if self.model.actuators else np.zeros(0)
+        return self._live.actuator_forces()
 
     def _each_actuator(self, values: ArrayLike, what: str) -> FloatArray:
         wanted = np.asarray(values, float)
@@ -616,8 +614,7 @@ class Robot:
     @property
     def poses(self) -> FloatArray:
         """The poses of all links in the world, an (n, 7) array of position and quaternion each, as ``Model.fk`` has them."""
-        live = self._live
-        return np.array([live.link_pose(link) for link in range(len(self.model.links))])
+        return self._live.link_poses().reshape(-1, 7)
 
     # ---- kinematics and dynamics, here and now ----
 
@@ -763,7 +760,7 @@ class Robot:
     @property
     def drive_forces(self) -> FloatArray:
         """What springs, dampers and actuators have exerted in the last step: a number, N or N m, for each velocity."""
-        return self._live.drive_forces() if self.model.joints else np.zeros(0)
+        return self._live.drive_forces()
 
     def imu(self, frame: str, pose: ArrayLike | None = None) -> tuple[FloatArray, FloatArray]:
         """The specific force, m/s^2 (at rest 9.81 upwards), and the angular velocity, rad/s, at a frame, in its axes. pose:

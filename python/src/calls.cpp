@@ -175,14 +175,25 @@ void read_some(nb::handle from, dReal* to, int capacity, const char* what)
     std::copy_n(given.data, given.size, to);
 }
 
-nb::object real_array(size_t rows, size_t columns, dReal** data)
+namespace {
+
+nb::object shaped(size_t dimensions, size_t rows, size_t columns, dReal** data)
 {
     dReal* memory = new dReal[rows * std::max<size_t>(columns, 1) + 1];
     nb::capsule owner(memory, [](void* p) noexcept { delete[] static_cast<dReal*>(p); });
     *data = memory;
     size_t shape[2] = {rows, columns};
-    return nb::cast(nb::ndarray<nb::numpy, dReal>(memory, columns ? 2 : 1, shape, owner));
+    return nb::cast(nb::ndarray<nb::numpy, dReal>(memory, dimensions, shape, owner));
 }
+
+}  // namespace
+
+nb::object real_array(size_t rows, size_t columns, dReal** data)
+{
+    return shaped(columns ? 2 : 1, rows, columns, data);
+}
+
+nb::object real_table(size_t rows, size_t columns, dReal** data) { return shaped(2, rows, columns, data); }
 
 nb::object array_of(const dReal* v, int count)
 {

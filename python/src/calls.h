@@ -89,8 +89,9 @@ void read_some(nb::handle from, dReal* to, int capacity, const char* what);
 
 // New arrays.
 nb::object array_of(const dReal* v, int count);
-nb::object matrix_of(const dReal* v);                                   // 3 x 3, from rows of four
-nb::object real_array(size_t rows, size_t columns, dReal** data);       // to be filled
+nb::object matrix_of(const dReal* v);                              // 3 x 3, from rows of four
+nb::object real_array(size_t rows, size_t columns, dReal** data);  // to be filled; no columns: one dimension
+nb::object real_table(size_t rows, size_t columns, dReal** data);  // two, whatever it holds
 nb::object empty_records(nb::handle dtype, size_t count, void** data);  // structured, dtype from module.cpp
 
 // A message of the library.

@@ -148,19 +148,26 @@ void use_all(Call& call, const Many& robots)
     for (const Built* robot : robots) call.uses(robot->robot->body(int(robot->model().links.size()) - 1));
 }
 
-template <typename F>
-nb::object rows_of(const Many& robots, size_t width, F get)
+// A row of numbers of each.
+template <Reals (*read_one)(const Built&)>
+nb::object many(const Many& robots)
 {
-    dReal* data;
-    nb::object out = real_array(robots.size(), std::max<size_t>(width, 1), &data);
+    model_of(robots);
+    Reals all;
     Call call;
     use_all(call, robots);
     for (const Built* robot : robots) {
-        const Reals its = get(*robot->robot);
-        data = std::copy(its.begin(), its.end(), data);
+        const Reals its = read_one(*robot);
+        all.insert(all.end(), its.begin(), its.end());
     }
     call.done();
-    return out;
+    return table(all, robots.size(), all.size() / robots.size());
+}
+
+template <Reals (*read_one)(const Built&)>
+nb::object one(const Built& robot)
+{
+    return row(read_one(robot));
 }
 
 template <typename F>
@@ -173,15 +180,40 @@ void take_rows(const Many& robots, nb::object from, size_t width, const char* wh
     call.done();
 }
 
-nb::object many_positions(const Many& robots)
+Reals positions_of(const Built& s) { return s.robot->positions(); }
+Reals velocities_of(const Built& s) { return s.robot->velocities(); }
+Reals drive_forces_of(const Built& s) { return s.sensors->drive_forces(); }
+
+template <typename Get>
+Reals of_actuators(const Built& s, Get get)
 {
-    return rows_of(robots, size_t(model_of(robots).coordinates),
-                   [](const Robot& r) { return r.positions(); });
+    Reals out(s.model().actuators.size());
+    for (size_t i = 0; i < out.size(); ++i) out[i] = get(*s.robot, int(i));
+    return out;
 }
 
-nb::object many_velocities(const Many& robots)
+Reals controls_of(const Built& s)
 {
-    return rows_of(robots, speeds(model_of(robots)), [](const Robot& r) { return r.velocities(); });
+    return of_actuators(s, [](const Robot& r, int i) { return r.control(i); });
+}
+Reals activations_of(const Built& s)
+{
+    return of_actuators(s, [](const Robot& r, int i) { return r.activation(i); });
+}
+Reals actuator_forces_of(const Built& s)
+{
+    return of_actuators(s, [](const Robot& r, int i) { return r.actuator_force(i); });
+}
+
+Reals link_poses_of(const Built& s)
+{
+    Reals out;
+    out.reserve(7 * s.model().links.size());
+    for (size_t i = 0; i < s.model().links.size(); ++i) {
+        const Pose p = s.robot->link_pose(int(i));
+        out.insert(out.end(), {p.p.x, p.p.y, p.p.z, p.q.w, p.q.x, p.q.y, p.q.z});
+    }
+    return out;
 }
 
 void set_many_positions(const Many& robots, nb::object from)
@@ -328,32 +360,27 @@ void bind_robots(nb::module_& m)
         .def("body", [](const Built& s, int link) { return wrapped(s.robot->body(link)); })
         .def("joint", [](const Built& s, int joint) { return wrapped(s.robot->joint(joint)); })
         .def("release", &Built::release)
-        .def("positions", [](const Built& s) { return row(s.robot->positions()); })
-        .def("velocities", [](const Built& s) { return row(s.robot->velocities()); })
+        .def("positions", one<positions_of>)
+        .def("velocities", one<velocities_of>)
         .def("set_positions", set_positions)
         .def("set_velocities", set_velocities)
-        .def("control", [](const Built& s, int actuator) { return s.robot->control(actuator); })
+        .def("controls", one<controls_of>)
         .def("set_control", set_control)
         .def("set_target", set_target)
         .def("set_mocap", set_mocap)
-        .def("actuator_forces",
-             [](const Built& s) {
-                 Reals out;
-                 for (size_t i = 0; i < s.model().actuators.size(); ++i)
-                     out.push_back(s.robot->actuator_force(int(i)));
-                 return row(out);
-             })
+        .def("actuator_forces", one<actuator_forces_of>)
         .def("link_pose", [](const Built& s, int link) { return row(s.robot->link_pose(link_of(s, link))); })
+        .def("link_poses", one<link_poses_of>)
         .def("counterpart", counterpart)
         .def_prop_ro("placement", [](const Built& s) { return row(s.robot->placement()); })
         .def("add_fluid_forces", add_fluid_forces)
         .def("add_forces", add_forces)
-        .def("activation", [](const Built& s, int actuator) { return s.robot->activation(actuator); })
+        .def("activations", one<activations_of>)
         .def("set_activation", set_activation)
         .def("state", [](const Built& s) { return row(s.robot->state()); })
         .def("set_state", set_state)
         .def("update_sensors", update)
-        .def("drive_forces", [](const Built& s) { return row(s.sensors->drive_forces()); })
+        .def("drive_forces", one<drive_forces_of>)
         .def("imu", imu)
         .def("watch_force",
              [](Built& s, int link, bool on) { return s.sensors->watch_force(link_of(s, link), on); })
@@ -362,8 +389,11 @@ void bind_robots(nb::module_& m)
         .def("rays", rays)
         .def("picture", picture)
         .def("read_sensor", read_sensor);
-    m.def("_many_positions", many_positions);
-    m.def("_many_velocities", many_velocities);
+    m.def("_many_positions", many<positions_of>);
+    m.def("_many_velocities", many<velocities_of>);
+    m.def("_many_controls", many<controls_of>);
+    m.def("_many_drive_forces", many<drive_forces_of>);
+    m.def("_many_link_poses", many<link_poses_of>);
     m.def("_set_many_positions", set_many_positions);
     m.def("_set_many_velocities", set_many_velocities);
     m.def("_set_many_controls", set_many_controls);

@@ -33,14 +33,20 @@ struct Built {
     void release() { sensors->release(), robot->release(); }
 };
 
-inline nb::object row(const Reals& values) { return array_of(values.data(), int(values.size())); }
+inline nb::object row(const Reals& values)
+{
+    dReal* data;
+    nb::object out = real_array(values.size(), 0, &data);
+    std::copy(values.begin(), values.end(), data);
+    return out;
+}
 inline nb::object row(Vec v) { return row(Reals{v.x, v.y, v.z}); }
 inline nb::object row(const Pose& p) { return row(Reals{p.p.x, p.p.y, p.p.z, p.q.w, p.q.x, p.q.y, p.q.z}); }
 
 inline nb::object table(const Reals& values, size_t rows, size_t columns)
 {
     dReal* data;
-    nb::object out = real_array(rows, columns, &data);
+    nb::object out = real_table(rows, columns, &data);
     std::copy(values.begin(), values.end(), data);
     return out;
 }

@@ -298,3 +298,23 @@ def test_the_first_step_accelerates_as_the_equation_of_motion_says(preset):
         wanted = -np.linalg.solve(model.mass_matrix(q), model.inverse_dynamics(q, v))
         robot.world.step(h)
         np.testing.assert_allclose((robot.velocities - v) / h, wanted, atol=2e-3 * np.abs(wanted).max())
+
+
+def test_arrays_of_many_are_the_rows_of_each():
+    model = epode.load(MODELS / "walker.xml")
+    robots = epode.robot.Robots(model.build() for _ in range(3))
+    robots.controls = np.linspace(-0.4, 0.4, 3 * len(model.actuators)).reshape(3, -1)
+    robots.step(0.002, steps=20)
+    for many, name in ((robots.controls, "controls"), (robots.positions, "positions"), (robots.velocities, "velocities"),
+                       (robots.forces, "drive_forces"), (robots.poses, "poses")):
+        assert np.array_equal(many, [getattr(robot, name) for robot in robots])
+    assert robots.poses.shape == (3, len(model.links), 7) and np.array_equal(robots[1].poses[2], np.concatenate(robots[1].pose(model.link_names[2])))
+
+
+def test_what_a_robot_does_not_have_is_empty():
+    model = epode.robot.from_text("stone.urdf", '<robot name="stone"><link name="base"/></robot>')
+    robot = model.build()
+    for array in (robot.controls, robot.activations, robot.actuator_forces, robot.drive_forces, robot.velocities, model.constraints(robot.positions)[0], model.tendons(robot.positions)[0]):
+        assert array.shape == (0,)
+    robots = epode.robot.Robots([robot, model.build()])
+    assert robots.controls.shape == (2, 0) and robots.forces.shape == robots.velocities.shape == (2, 0)

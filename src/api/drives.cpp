@@ -39,30 +39,40 @@ AxisDrive* take_axis_drive(Joint& joint, int axis)
     return drives ? &drives->axis[axis] : nullptr;
 }
 
-// What is wrong with a drive, in words; empty: nothing.
+// Calls take(field, value, whether it may be so, what it must be) for each number until one returns false. Returns whether none has.
+template <typename Take>
+bool each_number(const dDrive& drive, Take take)
+{
+    constexpr const char* kShare = "finite and 0 or more";
+    const auto share = [](Real value) { return usable(value) && value >= 0; };
+    const Real limit = drive.force_limit;
+    return take("stiffness", drive.stiffness, share(drive.stiffness), kShare) &&
+           take("damping", drive.damping, share(drive.damping), kShare) &&
+           take("armature", drive.armature, share(drive.armature), kShare) &&
+           take("friction", drive.friction, share(drive.friction), kShare) &&
+           take("target", drive.target, usable(drive.target), "finite") &&
+           take("target_velocity", drive.target_velocity, usable(drive.target_velocity), "finite") &&
+           take("force", drive.force, usable(drive.force), "finite") &&
+           take("force_limit", limit, usable_or_infinite(limit) && limit >= 0, "0 or more, or dInfinity");
+}
+
+bool is_good(const dDrive& drive)
+{
+    return each_number(drive, [](const char*, Real, bool good, const char*) { return good; });
+}
+
+// What is wrong with a drive, in words.
 struct Fault {
-    char text[128] = "";
+    char text[128];
 
     explicit Fault(const dDrive& drive)
     {
-        check("stiffness", drive.stiffness, usable(drive.stiffness) && drive.stiffness >= 0, kShare);
-        check("damping", drive.damping, usable(drive.damping) && drive.damping >= 0, kShare);
-        check("armature", drive.armature, usable(drive.armature) && drive.armature >= 0, kShare);
-        check("friction", drive.friction, usable(drive.friction) && drive.friction >= 0, kShare);
-        check("target", drive.target, usable(drive.target), "finite");
-        check("target_velocity", drive.target_velocity, usable(drive.target_velocity), "finite");
-        check("force", drive.force, usable(drive.force), "finite");
-        const bool limited = usable_or_infinite(drive.force_limit) && drive.force_limit >= 0;
-        check("force_limit", drive.force_limit, limited, "0 or more, or dInfinity");
-    }
-
-  private:
-    static constexpr const char* kShare = "finite and 0 or more";
-
-    void check(const char* field, Real value, bool good, const char* wanted)
-    {
-        if (good || *text) return;
-        std::snprintf(text, sizeof text, "dDrive::%s is %g, must be %s", field, double(value), wanted);
+        each_number(drive, [this](const char* field, Real value, bool good, const char* wanted) {
+            if (!good)
+                std::snprintf(text, sizeof text, "dDrive::%s is %g, must be %s", field, double(value),
+                              wanted);
+            return good;
+        });
     }
 };
 
@@ -110,6 +120,21 @@ void wake_bodies(Joint& joint)
         });
     for (const JointNode& node : joint.node)
         if (node.body && node.body->disabled) wake(*node.body);
+}
+
+// Programs that control robots come here for each joint before each step.
+int put_drive(Joint& joint, int axis, const dDrive& drive, bool driven)
+{
+    constexpr const char* kCaller = "dJointSetDrive";
+    if (!is_good(drive)) return refuse_for(kCaller, Fault(drive).text), 0;
+    if (is_busy(joint)) return refuse_for(kCaller, busy_text(*joint.world)), 0;
+    AxisDrive* const to = take_axis_drive(joint, axis);
+    if (!to) return refuse_for(kCaller, kOutOfMemory), 0;
+    if (to->driven != driven || !same(to->drive, drive)) wake_bodies(joint);
+    to->driven = driven;
+    to->drive = drive;
+    if (!driven) to->force = 0;
+    return 1;
 }
 
 }  // namespace
@@ -179,21 +204,9 @@ int dDriveInit(dDrive* drive, unsigned struct_size)
 int dJointSetDrive(dJointID j, int axis, const dDrive* drive)
 {
     AXIS_OR(0);
-    dDrive whole = kNoDrive;
-    if (drive) {
-        EPODE_SIZED(drive, 0);
-        whole = completed(*drive, kNoDrive);
-    }
-    const Fault fault(whole);
-    EPODE_USER_SAY(!*fault.text, fault.text, 0);
-    EPODE_USER_SAY(!is_busy(*joint), busy_text(*joint->world), 0);
-    AxisDrive* const to = take_axis_drive(*joint, axis);
-    EPODE_USER_SAY(to, kOutOfMemory, 0);
-    if (to->driven != (drive != nullptr) || !same(to->drive, whole)) wake_bodies(*joint);
-    to->driven = drive != nullptr;
-    to->drive = whole;
-    if (!drive) to->force = 0;
-    return 1;
+    if (!drive) return put_drive(*joint, axis, kNoDrive, false);
+    EPODE_SIZED(drive, 0);
+    return put_drive(*joint, axis, completed(*drive, kNoDrive), true);
 }
 
 int dJointGetDrive(dJointID j, int axis, dDrive* drive)

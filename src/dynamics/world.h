@@ -104,9 +104,14 @@ struct HandleOf<World> {
 
 void mark_busy(World& world, Busy busy);
 bool any_world_busy();  // of this process
-[[gnu::cold]] bool still_busy(
-    const World& world);  // if no function of the program has left what kept it busy
-inline bool is_busy(const World& world) { return world.busy != Busy::kNo && still_busy(world); }
+// If no function of the program has left what kept it busy. Not gnu::cold: GCC 12 then takes all that follows is_busy for cold.
+bool still_busy(const World& world);
+inline bool is_busy(const World& world)
+{
+    if (world.busy == Busy::kNo) [[likely]]
+        return false;
+    return still_busy(world);
+}
 inline bool is_busy(const Joint& joint) { return joint.world && is_busy(*joint.world); }
 // Marks a world that is saved, copied or restored: height functions and sensors' shapes may call the program.
 class CopyMark {

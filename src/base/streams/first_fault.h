@@ -12,7 +12,7 @@ class FirstFault {
   public:
     bool failed() const { return text_[0] != 0; }
     const char* text() const { return text_; }
-    [[gnu::format(EPODE_PRINTF, 2, 3), gnu::cold]] void fail(const char* format, ...);
+    [[gnu::format(EPODE_PRINTF, 2, 3)]] void fail(const char* format, ...);
     // Fails with the text unless the condition holds, which it returns.
     bool demand(bool condition, const char* text)
     {

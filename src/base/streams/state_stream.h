@@ -173,13 +173,13 @@ class StateStream : public FirstFault {
         if (failed()) return false;
         return std::size_t(end_ - at_) >= count || (saves() ? grow(count) : ends_too_early());
     }
-    [[gnu::cold]] bool grow(std::size_t count);
-    [[gnu::cold]] bool ends_too_early()
+    [[gnu::noinline]] bool grow(std::size_t count);
+    [[gnu::noinline]] bool ends_too_early()
     {
         fail("the state ends too early");
         return false;
     }
-    [[gnu::cold]] void bad_number() { fail("%s", kBadNumber); }
+    [[gnu::noinline]] void bad_number() { fail("%s", kBadNumber); }
 
     Mode mode_ = Mode::kWrite;
     bool checked_ = false;
