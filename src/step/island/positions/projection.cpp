@@ -99,9 +99,10 @@ class Projection {
     {
         Arena::Scope scope(arena_);
         load_bodies();
-        if (!solve_within_reach(tasks)) return false;
+        Real share = solve_within_reach(tasks);
+        if (!(share > 0)) return false;
         const Real merit = held_.merit();
-        Real share = std::min(largest_share(system_.bodies), share_that_errors_ask_for());
+        share = std::min({share, largest_share(system_.bodies), share_that_errors_ask_for()});
         if (!(share > 0)) return false;  // no pose has moved: 0 * NaN would move them
         held_.begin();
         for (int k = 0; k <= kMaxHalvings; ++k, share /= 2) {
@@ -113,31 +114,34 @@ class Projection {
     }
 
     // Contacts that contradict each other, a crate between two rams, agree in the far distance where their normals differ by
-    // rounding: softer rows do not look so far (Levenberg and Marquardt), and leave the least squares.
-    bool solve_within_reach(const Tasks& tasks)
+    // rounding: softer rows do not look so far (Levenberg and Marquardt), and leave the least squares. What is far beyond a stop, and takes along
+    // what stands on it, goes there by as much as contacts reach in a step. Returns the share of the solution that is within reach; 0: none.
+    Real solve_within_reach(const Tasks& tasks)
     {
-        for (Real softness = kSoftness; softness <= kSoftest; softness *= kSofter) {
+        for (Real softness = kSoftness;; softness *= kSofter) {
             held_.load_numbers(system_, softness);
-            if (!solve(tasks)) return false;
-            if (is_within_reach()) return true;
+            if (!solve(tasks)) return 0;
+            const Real share = share_within_reach();
+            if (share >= 1 || softness * kSofter > kSoftest) return share;
             load_bodies();
         }
-        return false;
     }
 
     // Contacts follow the motion to first order, a share of the lever; what lies on others moves by the errors of all.
-    bool is_within_reach() const
+    Real share_within_reach() const
     {
         const Real errors = held_.followed_errors();
+        Real share = 1;
         for (std::size_t k = 0; k < system_.blocks.size(); ++k) {
             const RowBlock& block = system_.blocks[k];
             if (!block.contact) continue;
             const Real reach = kReach * longest_arm(work_, held_.source_of(k)) + errors;
             for (const int at : {block.body1, block.body2})
-                if (at >= 0 && length(system_.bodies[std::size_t(at)].v) > reach) return false;
+                if (at >= 0) share = within(share, reach, length(system_.bodies[std::size_t(at)].v));
         }
-        return true;
+        return share;
     }
+    static Real within(Real share, Real reach, Real way) { return share * way > reach ? reach / way : share; }
 
     bool solve(const Tasks& tasks)
     {
