@@ -16,6 +16,14 @@ inline bool turns_exactly(const World& world, const Body& body)
     return world.exact_rotation || (is_unattached(body) && !world.acts_as_ode());
 }
 
+// What bodies turn by in a step, rad/s: by their velocities, where those are the step's.
+struct Turning {
+    virtual Vec3 of(const Body& body) const { return body.angular_velocity(); }
+
+  protected:
+    ~Turning() = default;
+};
+
 // What the velocity lacks of a body that does not turn exactly any more.
 inline Vec3 release_excess(Body& body)
 {
@@ -31,7 +39,7 @@ Vec3 kicked_spin(Body& body, const Mat3& R, Vec3 torque, Vec3 w, Real h);
 Vec3 kicked_spin(Body& body, Vec3 torque, Vec3 w, Real h);
 
 // The orientation q after a turn by exp(h m); the excess follows of a body that has the velocity w, most often m.
-Quat turned_exactly(Body& body, Quat q, Vec3 m, Vec3 w, Real h);
+Quat turned_exactly(Body& body, Quat q, Vec3 m, Vec3 w, Real h, const Turning& turning);
 
 // The momentum in the world, about the centre, of a free body of inertia I (in the world, where it begins) that turns by exp(h W) in a step.
 Vec3 spin_momentum(const Sym3& I, Vec3 W, Real h);

@@ -52,6 +52,7 @@ struct JointAxis {
 // A line of a body, in its frame, about which a joint lets it turn.
 struct Axle {
     Vec3 direction, point;
+    bool shared = false;  // the only one of the joint: the other body has it, too
 };
 
 struct JointType {

@@ -26,7 +26,7 @@ struct Hinge : LastingJoint {
 
     Real sign() const { return reverse ? Real(-1) : Real(1); }
     Vec3 axis_world() const { return axis.world(*this, 0); }
-    Axle axle(int i) const { return {axis.local[i], anchor.local[i]}; }
+    Axle axle(int i) const { return {axis.local[i], anchor.local[i], true}; }
     Real angle() const
     {
         const Turn now{orientation_of(body1()), orientation_of(body2()), zero, axis.local[0]};

@@ -24,7 +24,7 @@ struct Piston : LastingJoint {
 
     Real sign() const { return reverse ? Real(-1) : Real(1); }
     Vec3 axis_world() const { return axis.world(*this, 0); }
-    Axle axle(int i) const { return {axis.local[i], anchor.local[i]}; }
+    Axle axle(int i) const { return {axis.local[i], anchor.local[i], true}; }
     Vec3 motion_axis() const { return sign() * axis_world(); }
     Real position() const { return dot(motion_axis(), anchor.world(*this, 0) - anchor.world(*this, 1)); }
     Real position_rate() const { return dot(motion_axis(), relative_velocity(*this)); }

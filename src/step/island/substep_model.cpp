@@ -59,6 +59,22 @@ void load_pose(const Body& body, const SolverBody& solver, SolverPose& pose)
     pose.unused1 = pose.unused2 = 0;
 }
 
+// Bodies have the velocities of the step's beginning; those of other islands do not change.
+class IslandTurning final : public Turning {
+  public:
+    IslandTurning(std::span<Body* const> bodies, const Velocity* motion) : bodies_(bodies), motion_(motion) {}
+
+    Vec3 of(const Body& body) const override
+    {
+        const auto i = std::size_t(body.island_index);
+        return i < bodies_.size() && bodies_[i] == &body ? motion_[i].w : body.angular_velocity();
+    }
+
+  private:
+    std::span<Body* const> bodies_;
+    const Velocity* motion_;
+};
+
 void find_motion(const RowSystem& system, const RowBlock& block, std::span<const Velocity> bodies,
                  BodyMotion* out)
 {
@@ -186,9 +202,11 @@ void SubstepModel::turn_few(std::size_t group, const Velocity* motion, const Vel
     for_bits(group, lanes.finite, [&](std::size_t lane, std::size_t i) {
         set(lanes.next, lane, turned(*work_.island.bodies[i], quat_in(lanes.q, lane), motion[i].w, h));
     });
+    const IslandTurning turning(work_.island.bodies, motion);
     for_bits(group, lanes.exact, [&](std::size_t lane, std::size_t i) {
         set(lanes.next, lane,
-            turned_exactly(*work_.island.bodies[i], quat_in(lanes.q, lane), motion[i].w, bodies[i].w, h));
+            turned_exactly(*work_.island.bodies[i], quat_in(lanes.q, lane), motion[i].w, bodies[i].w, h,
+                           turning));
     });
 }
 
