@@ -313,7 +313,7 @@ void ContactWorld::collide_pairs(const World& world, Real h, const Tasks& tasks)
     // Functions of the program are called by the caller's thread, and first; those that collide geoms about the
     // present only.
     NarrowSettings settings{.layer = contact_layer(world),
-                            .layer_fits = !(world.contact_layer > 0),
+                            .is_set = world.contact_layer > 0,
                             .soon = {h, world.gravity},
                             .foresees = false};
     ContactPair* pairs = fresh_.pairs.data();

@@ -19,8 +19,8 @@
 namespace epode {
 
 struct NarrowSettings {
-    Real layer;       // allowed depth, m
-    bool layer_fits;  // is made smaller for small geoms: nobody has chosen it
+    Real layer;   // allowed depth, m; less between small geoms
+    bool is_set;  // by the program
     SpeculativeMotion soon;
     bool foresees;  // what does not touch yet is looked at where it will be
 };
