@@ -5,7 +5,7 @@
 //   couplings                     exact: sweeps leave a mimic joint behind
 //   nothing but free motion       substeps: a flying body keeps its solver when it lands
 //   contacts only                 substeps; exact if cheap, for unequal masses and stacks that would topple
-//   loads that swing fast         substeps with exact joints
+//   loads that swing fast         exact in joint coordinates, where nothing touches them; else substeps with exact joints
 //   joints only                   exact: one linear system, no iteration
 //   figures                       exact if cheap, else substeps: small trees of joints between bodies of like
 //                                 masses that hang on nothing; sweeps hold them, or are seen not to (island/strain.h)
@@ -31,6 +31,8 @@ constexpr int kFigure = 20;             // joints of a tree that sweeps hold tog
 constexpr double kLoaded = 100;         // ratio of masses from which they do not
 constexpr double kSmall = 1e-3;         // largest fall in a substep over the radius of gyration
 constexpr double kTall = 0.4;           // the same times (height / radius)^2, of tall stacks
+constexpr int kFewSwing = 32;           // bodies that may be solved in joint coordinates
+constexpr double kTreeWork = 5;         // microseconds, the limit of what does not turn out as a tree
 constexpr std::uint8_t kStrainedSteps = 50;
 constexpr std::uint8_t kRefusedSteps = 30;
 constexpr int kGuess = 8, kGuessJoints = 2;  // factorisations, where bodies remember no work
@@ -166,6 +168,14 @@ bool topples(const Structure& s, const World& world, Real h)
     return fall > kSmall * s.radius || fall * height * height > kTall * s.radius * s.radius * s.radius;
 }
 
+// In joint coordinates joints stay closed however far a step turns them, and what swings or spins keeps its energy. In bodies it would tear:
+// where the step does not find a tree there (steppers/exact_tree.h), the work that it may cost is used up at once.
+bool may_swing_in_tree(const Structure& s, const History& history, const World& world)
+{
+    return s.contacts == 0 && s.bodies <= kFewSwing && world.joint_coordinates && !world.acts_as_ode() &&
+           !history.refused;
+}
+
 bool iterates_well(const Structure& s, const World& world, Real h)
 {
     return s.contacts == 0 || (s.ratio() < kUnequal && !topples(s, world, h));
@@ -246,9 +256,11 @@ HybridChoice choose(const World& world, const Island& island, Real h)
     choice.stepper = exact_joints ? &kSubstepsExactJoints : &kSubsteps;
     if (exact_joints) choice.network_work = 0.25 * world.hybrid_substeps * kExactJointWork * structure.joints;
     choice.begins = structure.joints > 0 && has_new_joints(island);
-    if (!choice.begins && (swings || !wants_exact(structure, history, world, h))) return choice;
+    choice.in_tree = swings && !choice.begins && may_swing_in_tree(structure, history, world);
+    if (!choice.begins && !choice.in_tree && (swings || !wants_exact(structure, history, world, h)))
+        return choice;
     choice.wants_exact = true, choice.was_exact = history.exact && !choice.begins;
-    choice.max_work = largest_work(structure, history, choice.begins);
+    choice.max_work = choice.in_tree ? kTreeWork : largest_work(structure, history, choice.begins);
     return choice;
 }
 

@@ -34,6 +34,7 @@ struct HybridChoice {
     bool was_exact = false, begins = false;
     bool sweeps_do = false;    // substeps would be good enough
     double max_work = 0;       // microseconds that an exact solution may take
+    bool in_tree = false;      // in joint coordinates or not at all
     double substeps_work = 0;  // the same of the island's substeps
     double network_work = 0;   // what exact joints add to it
 };

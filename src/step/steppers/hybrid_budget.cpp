@@ -16,7 +16,7 @@ constexpr double kForBeginners = 8;     // times the budget
 
 struct Candidate {
     int island;
-    bool begins, was_exact, sweeps_do;
+    bool begins, was_exact, sweeps_do, in_tree;
     double work;
     double spared;  // what exact joints would add to its substeps
 };
@@ -69,9 +69,13 @@ bool choose_hybrid_methods(const StepContext& context, std::span<const Island> i
         methods[i] = {&stepper, hybrid_iterations(world, stepper)};
         substeps += choice.substeps_work, network += choice.network_work;
         if (choice.wants_exact)
-            candidates[count++] = {int(i),           choice.begins,
-                                   choice.was_exact, choice.sweeps_do,
-                                   choice.max_work,  choice.begins ? 0 : choice.network_work};
+            candidates[count++] = {int(i),
+                                   choice.begins,
+                                   choice.was_exact,
+                                   choice.sweeps_do,
+                                   choice.in_tree,
+                                   choice.max_work,
+                                   choice.begins ? 0 : choice.network_work};
     }
     const auto list = candidates.first(count);
     std::sort(list.begin(), list.end(), precedes);
@@ -86,7 +90,7 @@ bool choose_hybrid_methods(const StepContext& context, std::span<const Island> i
         if (budget_of(candidate).take(candidate.work, candidate.spared, share)) list[taken++] = candidate;
     }
     for (const Candidate& candidate : list.first(taken)) {
-        const double part = candidate.work + budget_of(candidate).spare();
+        const double part = candidate.work + (candidate.in_tree ? 0 : budget_of(candidate).spare());
         IslandMethod& method = methods[std::size_t(candidate.island)];
         method = {&kExact, hybrid_iterations(world, kExact), method.stepper, method.iterations, part};
     }
