@@ -209,6 +209,15 @@ const Stepper* chosen(int number)
     return stepper && stepper->step ? stepper : nullptr;
 }
 
+// What it gets if it is not stepped exactly.
+void choose_substeps(const Structure& s, const World& world, bool swings, HybridChoice& choice)
+{
+    choice.sweeps_do = !swings && is_figures(s);
+    const bool exact_joints = swings || (s.joints > 0 && !choice.sweeps_do);
+    choice.stepper = exact_joints ? &kSubstepsExactJoints : &kSubsteps;
+    if (exact_joints) choice.network_work = 0.25 * world.hybrid_substeps * kExactJointWork * s.joints;
+}
+
 // Of an exact solution: its own of the last step, or what the structure suggests.
 double largest_work(const Structure& s, const History& history, bool begins)
 {
@@ -251,15 +260,13 @@ HybridChoice choose(const World& world, const Island& island, Real h)
     choice.substeps_work = substeps_work(structure, world.hybrid_substeps);
     if (structure.coupled) return choice.stepper = &kExact, choice;
     const bool swings = swings_too_fast(structure, world, h);
-    choice.sweeps_do = !swings && is_figures(structure);
-    const bool exact_joints = swings || (structure.joints > 0 && !choice.sweeps_do);
-    choice.stepper = exact_joints ? &kSubstepsExactJoints : &kSubsteps;
-    if (exact_joints) choice.network_work = 0.25 * world.hybrid_substeps * kExactJointWork * structure.joints;
+    choose_substeps(structure, world, swings, choice);
     choice.begins = structure.joints > 0 && has_new_joints(island);
     choice.in_tree = swings && !choice.begins && may_swing_in_tree(structure, history, world);
-    if (!choice.begins && !choice.in_tree && (swings || !wants_exact(structure, history, world, h)))
-        return choice;
-    choice.wants_exact = true, choice.was_exact = history.exact && !choice.begins;
+    choice.wants_exact =
+        choice.begins || (swings ? choice.in_tree : wants_exact(structure, history, world, h));
+    if (!choice.wants_exact) return choice;
+    choice.was_exact = history.exact && !choice.begins;
     choice.max_work = choice.in_tree ? kTreeWork : largest_work(structure, history, choice.begins);
     return choice;
 }
