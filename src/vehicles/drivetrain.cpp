@@ -160,8 +160,9 @@ int wanted_gear(const Vehicle& vehicle)
 
 void ShaftRow::set(int i, Real value)
 {
-    first = first == end ? i : std::min(first, i);
-    end = std::max(end, i + 1);
+    if (first == end) first = end = i;
+    while (first > i) factor[--first] = 0;
+    while (end <= i) factor[end++] = 0;
     factor[i] = value;
 }
 

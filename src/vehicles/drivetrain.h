@@ -22,8 +22,8 @@ namespace epode {
 
 // Of the speeds that a vehicle has: a track is one, whatever its wheels.
 struct ShaftRow {
-    Real factor[dVehicleMaxWheels] = {};
-    int first = 0, end = 0;  // of the factors that are not 0
+    Real factor[dVehicleMaxWheels];  // of first ... end - 1; the others are 0
+    int first = 0, end = 0;
     Real engine = 0;
     Real limit = 0;
     Real impulse = 0;

@@ -6,6 +6,11 @@
 #include <cmath>
 
 namespace epode {
+namespace {
+
+constexpr Real kLeastFactor = Real(0.1);
+
+}  // namespace
 
 Real tyre_secant(Real z, Real sliding)
 {
@@ -14,9 +19,22 @@ Real tyre_secant(Real z, Real sliding)
     return (sliding + (1 - sliding) / (1 + beyond * beyond)) / (3 * z);
 }
 
+Real tyre_secant_slope(Real z, Real sliding)
+{
+    if (z <= 1) return -1 + z * 2 / 3;
+    const Real beyond = (z - 1) / kFallWidth, falls = 1 / (1 + beyond * beyond);
+    const Real slope = -2 * (1 - sliding) * beyond * falls * falls / kFallWidth;
+    return (slope - (sliding + (1 - sliding) * falls) / z) / (3 * z);
+}
+
 Real load_factor(const dVehicleWheel& of, Real load)
 {
-    return std::max(1 - of.load_sensitivity * (load / of.nominal_load - 1), Real(0.1));
+    return std::max(1 - of.load_sensitivity * (load / of.nominal_load - 1), kLeastFactor);
+}
+
+Real load_factor_slope(const dVehicleWheel& of, Real load)
+{
+    return load_factor(of, load) > kLeastFactor ? -of.load_sensitivity / of.nominal_load : Real(0);
 }
 
 Real Tyre::gain(Real h) const

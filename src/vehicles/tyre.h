@@ -35,8 +35,9 @@ inline constexpr Real kStandstill = Real(0.5);     // D, m/s
 inline constexpr Real kGivenBack =
     Real(0.41259894803180064);  // 2 - 2^(2/3): z of what a tread that slides gives back
 
-// y(z) / (3 z): 1 at z = 0.
+// y(z) / (3 z): 1 at z = 0. And its derivative.
 Real tyre_secant(Real z, Real sliding);
+Real tyre_secant_slope(Real z, Real sliding);
 
 struct Tyre {
     const dVehicleWheel& of;
@@ -56,7 +57,8 @@ struct Tyre {
     Real damping() const { return kTreadDamping / (1 + kTreadDamping * rolling / of.relaxation); }
 };
 
-// mu / mu_0 under a load.
+// mu / mu_0 under a load. And its derivative.
 Real load_factor(const dVehicleWheel& of, Real load);
+Real load_factor_slope(const dVehicleWheel& of, Real load);  // 1/N
 
 }  // namespace epode

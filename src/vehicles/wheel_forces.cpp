@@ -112,8 +112,9 @@ void WheelForces::make_lines(int i, Stand& at, const WheelContact& contact)
     const Vec3 raised = w.roll_centre * frame_.up;
     at.slope = std::max(dot(n, frame_.up), kLeastSlope);
     const auto line = [&](Vec3 d, Vec3 at_chassis, Vec3 at_ground) {
-        Line out{d, at_chassis, at_ground};
-        out.response = chassis_.yielding(at_chassis, d) + ground.yielding(at_ground, d);
+        const Vec3 turn = cross(at_chassis, d);
+        Line out{d, at_chassis, at_ground, turn, chassis_.inv_inertia * turn};
+        out.response = chassis_.inv_mass + dot(out.turn, out.turned) + ground.yielding(at_ground, d);
         return out;
     };
     const Vec3 arm_ground = contact.pos - ground.centre;

@@ -8,7 +8,7 @@
 //   rows  of the drivetrain, and the brakes (vehicles/drivetrain.h)
 // which give v = v* + M^-1 sum P, w_i = w_i* + (Q_i - R P_x) / I_i, with Q the angular impulses of the rows,
 // whose opposite acts on the chassis. v* has the program's forces and gravity. Each is solved in turn from
-// the others' last values (Gauss-Seidel), until none changes:
+// the others' last values (Gauss-Seidel), with steps of Newton's between (wheel_forces_newton.h), until none changes:
 //   suspension, along u with c = n . u:  F_s = k x + f_0 + stop + anti-roll + d ((1 - T) x'_0 + T x'_1)
 //                N = F_s / c,  x' = -(v_contact . n) / c,   N >= 0
 //   tyre         vehicles/tyre.h;   rows: the impulse that makes their speed 0, within their limits
@@ -63,6 +63,7 @@ class WheelForces {
   private:
     struct Line {  // of an impulse, between the chassis and what a wheel stands on
         Vec3 d, arm, arm_ground;
+        Vec3 turn, turned;  // arm x d, and what inv_inertia of the chassis makes of it
         Real response = 0, impulse = 0;
     };
     struct Stand {
@@ -74,6 +75,11 @@ class WheelForces {
         Real gain = 0, start_x = 0, start_y = 0, factor = 1, rolling = 0;
         Real s_x = 0, s_y = 0, z = 0;
     };
+
+    struct Braking {  // the greatest impulse, and its derivative by the normal one
+        Real impulse, slope;
+    };
+    class Newton;  // wheel_forces_newton.h
 
     void take_chassis();
     int ground_of(Body* body);
@@ -89,8 +95,12 @@ class WheelForces {
     void give(const Stand& at, Line& line, Real impulse);
     void solve_normal(Stand& at);
     void solve_tyre(int i, Stand& at);
+    Real rate_of(const ShaftRow& row) const;
+    void give(ShaftRow& row, Real impulse);
     void solve_row(ShaftRow& row);
-    void set_brake_limit(int i);
+    Braking braking(int i, Real normal) const;
+    void set_brake_limit(int k);
+    void sweep();
 
     Real compression_of_pair(int i) const;
     void keep(int i, const Stand& at);

@@ -4,7 +4,7 @@
 
 #include "dynamics/world.h"
 #include "math/trig.h"
-#include "vehicles/wheel_forces.h"
+#include "vehicles/wheel_forces_newton.h"
 
 namespace epode {
 namespace {
@@ -26,16 +26,18 @@ Real turned(Real angle, Real by)
 // Velocity of the chassis against the ground.
 Real WheelForces::relative(const Stand& at, const Line& line) const
 {
-    return dot(chassis_.velocity_at(line.arm) - grounds_[at.ground].velocity_at(line.arm_ground) - at.drift,
-               line.d);
+    const Vec3 ground = grounds_[at.ground].velocity_at(line.arm_ground) + at.drift;
+    return dot(chassis_.v - ground, line.d) + dot(chassis_.w, line.turn);
 }
 
 void WheelForces::give(const Stand& at, Line& line, Real impulse)
 {
     const Real change = impulse - line.impulse;
     line.impulse = impulse;
-    chassis_.push(change * line.d, line.arm);
-    grounds_[at.ground].push(-change * line.d, line.arm_ground);
+    chassis_.v += (chassis_.inv_mass * change) * line.d;
+    chassis_.w += change * line.turned;
+    MovedBody& ground = grounds_[at.ground];
+    if (ground.inv_mass > 0) ground.push(-change * line.d, line.arm_ground);
     last_change_ = std::max(last_change_, std::fabs(change));
     largest_ = std::max(largest_, std::fabs(impulse));
 }
@@ -80,12 +82,15 @@ void WheelForces::solve_tyre(int i, Stand& at)
     give(at, at.y, implicit(w.stiffness_y, at.s_y, at.y, at.y.response));
 }
 
-void WheelForces::solve_row(ShaftRow& row)
+Real WheelForces::rate_of(const ShaftRow& row) const
 {
     Real rate = row.engine * engine_ - dot(row.axle, chassis_.w);
     for (int k = row.first; k < row.end; ++k) rate += row.factor[k] * speed_[k];
-    if (!(row.response > 0)) return;
-    const Real impulse = std::clamp(row.impulse - rate / row.response, -row.limit, row.limit);
+    return rate;
+}
+
+void WheelForces::give(ShaftRow& row, Real impulse)
+{
     const Real change = impulse - row.impulse;
     row.impulse = impulse;
     for (int k = row.first; k < row.end; ++k) speed_[k] += row.factor[k] * change * inv_spin_inertia_[k];
@@ -95,46 +100,67 @@ void WheelForces::solve_row(ShaftRow& row)
     largest_ = std::max(largest_, std::fabs(impulse));
 }
 
-// Of the speed k: brakes and rolling resistance of all wheels that turn with it. With abs the brakes leave the tyre
-// what it has at z = 0.9.
-void WheelForces::set_brake_limit(int k)
+void WheelForces::solve_row(ShaftRow& row)
+{
+    if (!(row.response > 0)) return;
+    give(row, std::clamp(row.impulse - rate_of(row) / row.response, -row.limit, row.limit));
+}
+
+// Brakes and rolling resistance. With abs the brakes leave the tyre what it has at z = 0.9.
+WheelForces::Braking WheelForces::braking(int i, Real normal) const
 {
     const dVehicleControls& c = vehicle_.controls;
-    Real torque = 0;
-    for (int i = 0; i < vehicle_.wheel_count; ++i) {
-        if (speed_of_wheel(vehicle_, i) != k) continue;
-        const dVehicleWheel& w = vehicle_.wheels[i].settings;
-        const Real load = stands_[i].normal.impulse / h_;
-        Real brake = c.brake * w.brake_torque;
-        if (vehicle_.settings.abs && stands_[i].stands)
-            brake = std::min(brake, Real(0.99) * w.friction_x * load_factor(w, load) * stands_[i].factor *
-                                        load * w.radius);
-        torque += brake + c.handbrake * w.handbrake_torque + w.rolling_resistance * load * w.radius;
+    const dVehicleWheel& w = vehicle_.wheels[i].settings;
+    const Real load = normal / h_, pressed = c.brake * w.brake_torque,
+               pulled = c.handbrake * w.handbrake_torque;
+    const Real rolls = w.rolling_resistance * w.radius;
+    Braking out{h_ * (pressed + pulled) + rolls * normal, rolls};
+    if (!vehicle_.settings.abs || !stands_[i].stands) return out;
+    const Real kept = Real(0.99) * w.friction_x * stands_[i].factor * w.radius, factor = load_factor(w, load);
+    if (kept * factor * normal > h_ * pressed) return out;
+    return {kept * factor * normal + h_ * pulled + rolls * normal,
+            kept * (factor + load * load_factor_slope(w, load)) + rolls};
+}
+
+// Of all wheels that turn with the speed k.
+void WheelForces::set_brake_limit(int k)
+{
+    brakes_[k].limit = 0;
+    for (int i = 0; i < vehicle_.wheel_count; ++i)
+        if (speed_of_wheel(vehicle_, i) == k)
+            brakes_[k].limit += braking(i, stands_[i].normal.impulse).impulse;
+}
+
+void WheelForces::sweep()
+{
+    const std::span<Stand> stands(stands_, std::size_t(vehicle_.wheel_count));
+    last_change_ = largest_ = 0;
+    for (Stand& at : stands)
+        if (at.stands) solve_normal(at);
+    for (int k = 0; k < speeds_; ++k) {
+        set_brake_limit(k);
+        if (brakes_[k].limit > 0) solve_row(brakes_[k]);
     }
-    brakes_[k].limit = h_ * torque;
+    for (int r = 0; r < row_count_; ++r) solve_row(rows_[r]);
+    for (int i = 0; i < vehicle_.wheel_count; ++i)
+        if (stands_[i].stands) solve_tyre(i, stands_[i]);
 }
 
 void WheelForces::solve()
 {
-    const std::span<VehicleWheel> wheels = vehicle_.all_wheels();
-    const int count = int(wheels.size());
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < vehicle_.wheel_count; ++i)
         if (stands_[i].stands)
             advance_bristles(i, stands_[i]), make_spring(i, stands_[i]), make_tyre(i, stands_[i]);
     make_rows(), make_brakes();
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
-        last_change_ = largest_ = 0;
-        for (int i = 0; i < count; ++i)
-            if (stands_[i].stands) solve_normal(stands_[i]);
-        for (int k = 0; k < speeds_; ++k) {
-            set_brake_limit(k);
-            if (!(brakes_[k].limit > 0)) continue;
-            solve_row(brakes_[k]);
-        }
-        for (int r = 0; r < row_count_; ++r) solve_row(rows_[r]);
-        for (int i = 0; i < count; ++i)
-            if (stands_[i].stands) solve_tyre(i, stands_[i]);
-        if (last_change_ <= kConverged * largest_) break;
+    Newton newton(*this);
+    Real before = kInf;
+    int pause = 1, left = 1;  // sweeps between two steps of Newton's: more where one has led away
+    for (int n = 0; n < kSweeps; ++n) {
+        sweep();
+        if (last_change_ <= kConverged * largest_) return;
+        if (last_change_ > before) pause *= 2;
+        before = last_change_;
+        if (--left < 0 && newton.step()) left = pause - 1;
     }
 }
 
