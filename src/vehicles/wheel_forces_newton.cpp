@@ -45,7 +45,7 @@ void WheelForces::Newton::place_wheel(int i)
 {
     const Stand& at = all_.stands_[i];
     Wheel& wheel = wheels_[i];
-    wheel.of = i, wheel.count = 0, wheel.f[kNormal] = wheel.d[kNormal][kNormal] = 0;
+    wheel.of = i, wheel.count = 0, wheel.f[kLineN] = wheel.d[kLineN][kLineN] = 0;
     if (!at.stands) return;
     const int k = speed_of_wheel(all_.vehicle_, i), ground = ground_[at.ground];
     const Real radius = all_.vehicle_.wheels[i].settings.radius;
@@ -60,7 +60,7 @@ void WheelForces::Newton::place_wheel(int i)
             wheel.j[line][3 + c] = of.turn[c], wheel.mj[line][3 + c] = of.turned[c];
         }
         if (ground >= 0) place_ground(wheel, line, of, all_.grounds_[at.ground]);
-        wheel.j[line][kBody] = line == kForward ? -radius : Real(0);
+        wheel.j[line][kBody] = line == kLineX ? -radius : Real(0);
         wheel.mj[line][kBody] = wheel.j[line][kBody] * all_.inv_spin_inertia_[k];
     }
 }
@@ -76,7 +76,7 @@ void WheelForces::Newton::take_law(Wheel& wheel) const
     const Real a = all_.h_ / at.slope, b = at.resists / at.slope;
     const Real normal = a * (at.spring - b * all_.relative(at, at.normal));
     if (!(normal > 0)) return;
-    wheel.f[kNormal] = normal, wheel.d[kNormal][kNormal] = -a * b;
+    wheel.f[kLineN] = normal, wheel.d[kLineN][kLineN] = -a * b;
     take_tyre(wheel);
 }
 
@@ -84,7 +84,7 @@ void WheelForces::Newton::take_tyre(Wheel& wheel) const
 {
     const Stand& at = all_.stands_[wheel.of];
     const dVehicleWheel& w = all_.vehicle_.wheels[wheel.of].settings;
-    const Real normal = wheel.f[kNormal], load = normal / all_.h_, grip = load_factor(w, load) * at.factor;
+    const Real normal = wheel.f[kLineN], load = normal / all_.h_, grip = load_factor(w, load) * at.factor;
     if (!(grip > 0)) return;
     const Tyre tyre{w, at.rolling};
     const Real rim = all_.speed_[speed_of_wheel(all_.vehicle_, wheel.of)] * w.radius;
@@ -97,12 +97,12 @@ void WheelForces::Newton::take_tyre(Wheel& wheel) const
     const Real by_load =
         secant - normal * falls * z * load_factor_slope(w, load) * at.factor / (grip * all_.h_);
     for (int p = 0; p < 2; ++p) {
-        Real* const d = wheel.d[kForward + p];
-        wheel.f[kForward + p] = stiffness[p] * s[p] * secant * normal;
-        d[kNormal] = stiffness[p] * s[p] * by_load * wheel.d[kNormal][kNormal];
+        Real* const d = wheel.d[kLineX + p];
+        wheel.f[kLineX + p] = stiffness[p] * s[p] * secant * normal;
+        d[kLineN] = stiffness[p] * s[p] * by_load * wheel.d[kLineN][kLineN];
         for (int q = 0; q < 2; ++q) {
             const Real turns = z > 0 ? falls * s[p] * scale[q] * scale[q] * s[q] / z : Real(0);
-            d[kForward + q] = -at.gain * stiffness[p] * normal * (turns + (p == q ? secant : Real(0)));
+            d[kLineX + q] = -at.gain * stiffness[p] * normal * (turns + (p == q ? secant : Real(0)));
         }
     }
 }
@@ -121,8 +121,8 @@ void WheelForces::Newton::clear()
 void WheelForces::Newton::add_wheel(const Wheel& wheel)
 {
     const Stand& at = all_.stands_[wheel.of];
-    const Real missing[] = {wheel.f[kNormal] - at.normal.impulse, wheel.f[kForward] - at.x.impulse,
-                            wheel.f[kSideways] - at.y.impulse};
+    const Real missing[] = {wheel.f[kLineN] - at.normal.impulse, wheel.f[kLineX] - at.x.impulse,
+                            wheel.f[kLineY] - at.y.impulse};
     Real dj[kLines][kWheel];
     for (int p = 0; p < kLines; ++p)
         for (int c = 0; c < wheel.count; ++c)
@@ -175,12 +175,12 @@ void WheelForces::Newton::add_sliding(const ShaftRow& brake, int k)
     for (int i = 0; i < all_.vehicle_.wheel_count; ++i) {
         if (speed_of_wheel(all_.vehicle_, i) != k) continue;
         const Wheel& wheel = wheels_[i];
-        const Braking braking = all_.braking(i, wheel.f[kNormal]);
-        const Real slope = sign * braking.slope * wheel.d[kNormal][kNormal];
+        const Braking braking = all_.braking(i, wheel.f[kLineN]);
+        const Real slope = sign * braking.slope * wheel.d[kLineN][kLineN];
         missing += sign * braking.impulse;
         each_of(brake, [&](int r, Real, Real mj) {
             for (int c = 0; c < wheel.count; ++c)
-                matrix_[r][wheel.index[c]] -= mj * slope * wheel.j[kNormal][c];
+                matrix_[r][wheel.index[c]] -= mj * slope * wheel.j[kLineN][c];
         });
     }
     each_of(brake, [&](int r, Real, Real mj) { right_[r] += mj * missing; });
@@ -221,11 +221,11 @@ void WheelForces::Newton::give_wheel(int i)
 {
     Stand& at = all_.stands_[i];
     const int k = speed_of_wheel(all_.vehicle_, i);
-    const Real normal = impulse_of(wheels_[i], kNormal), before = at.x.impulse;
+    const Real normal = impulse_of(wheels_[i], kLineN), before = at.x.impulse;
     const bool stands = normal > 0;
     all_.give(at, at.normal, stands ? normal : Real(0));
-    all_.give(at, at.x, stands ? impulse_of(wheels_[i], kForward) : Real(0));
-    all_.give(at, at.y, stands ? impulse_of(wheels_[i], kSideways) : Real(0));
+    all_.give(at, at.x, stands ? impulse_of(wheels_[i], kLineX) : Real(0));
+    all_.give(at, at.y, stands ? impulse_of(wheels_[i], kLineY) : Real(0));
     const Real radius = all_.vehicle_.wheels[i].settings.radius;
     all_.speed_[k] -= radius * (at.x.impulse - before) * all_.inv_spin_inertia_[k];
 }

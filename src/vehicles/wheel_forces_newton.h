@@ -26,7 +26,7 @@ class WheelForces::Newton {
 
   private:
     static constexpr int kBody = 6, kWheel = 2 * kBody + 1, kMostUnknowns = 64;
-    enum { kNormal, kForward, kSideways, kLines };
+    enum { kLineN, kLineX, kLineY, kLines };
 
     // The lines of a wheel, of the velocities of chassis, wheel and ground.
     struct Wheel {
