@@ -117,7 +117,8 @@ ODE_API int dCharacterGetPosition(dGeomID character, dVector3 feet);
 /** Move the character for a step of h seconds with a velocity that the program has worked out, gravity
     included: the ground carries it first, then it collides and slides. On ground it keeps the horizontal part
     of the velocity, uphill and downhill, unless the velocity leads away from the ground. Call it once for each
-    dWorldStep, before it. Returns the dCharacterState. Refused: a velocity above 1e4 m/s. [ours] */
+    dWorldStep, after it: what carries it has moved then. Called before, it lags by the ground's motion in that
+    one step. Returns the dCharacterState. Refused: a velocity above 1e4 m/s. [ours] */
 ODE_API int dCharacterMove(dGeomID character, const dVector3 velocity, dReal h);
 
 /** Walk: as dCharacterMove, but with gravity, falls and jumps. velocity is how it wants to go, relative to the

@@ -48,7 +48,8 @@ def _setting(name: str, doc: str) -> Value[float, float]:
 
 class Character(Geom):
     """A character, made by ``World.character``: an upright capsule, cylinder or box without a body that walks as the program says. It
-    is a geom, whose ``position`` is that of its middle. Call ``walk`` or ``move`` once before each step of the world."""
+    is a geom, whose ``position`` is that of its middle. Call ``walk`` or ``move`` once after each step of the world: what
+    carries it has moved then."""
 
     __slots__ = ("_filter",)
     _filter: Filter | None

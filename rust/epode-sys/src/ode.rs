@@ -2524,7 +2524,8 @@ extern "C" {
     /// Move the character for a step of h seconds with a velocity that the program has worked out, gravity
     /// included: the ground carries it first, then it collides and slides. On ground it keeps the horizontal part
     /// of the velocity, uphill and downhill, unless the velocity leads away from the ground. Call it once for each
-    /// dWorldStep, before it. Returns the dCharacterState. Refused: a velocity above 1e4 m/s.
+    /// dWorldStep, after it: what carries it has moved then. Called before, it lags by the ground's motion in that
+    /// one step. Returns the dCharacterState. Refused: a velocity above 1e4 m/s.
     pub fn dCharacterMove(character: dGeomID, velocity: *const dReal, h: dReal) -> c_int;
     /// Walk: as dCharacterMove, but with gravity, falls and jumps. velocity is how it wants to go, relative to the
     /// ground; of it the part along up does not count. jump\_speed (m/s) above 0 lets it jump if it stands: to the

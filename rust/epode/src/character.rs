@@ -9,7 +9,7 @@ use crate::prelude::*;
 use std::cell::RefCell;
 
 impl World {
-    /// Adds a character with its feet at `position`, m. Move it by [`GeomMut::character_walk`] before each step.
+    /// Adds a character with its feet at `position`, m. Move it by [`GeomMut::character_walk`] after each step.
     /// C: `dCharacterCreate`.
     pub fn add_character(&mut self, settings: &CharacterSettings, position: Vec3) -> Result<GeomId> {
         let raw = settings.to_raw();

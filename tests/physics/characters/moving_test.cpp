@@ -59,6 +59,29 @@ TEST_P(Moving, rides_a_lift_up_and_down_and_sideways)
     }
 }
 
+// It rides as far as the ground has moved: after the step that is all of it, before the step all but that step's.
+TEST_P(Moving, lags_by_nothing_after_the_step_and_by_one_steps_motion_before_it)
+{
+    for (const bool after : {true, false}) {
+        Stage stage;
+        const dBodyID raft = stage.heavy_box({0, 0, -0.5}, {8, 8, 1}, 100);
+        dBodySetKinematic(raft);
+        const dGeomID c = stage.add({0, 0, 0}, settings());
+        walk(c, {}, 0, h());
+        for (int i = 0; i * h() < 4; ++i) {
+            const double v = 3 * std::sin(i * h());
+            dBodySetLinearVel(raft, dReal(v), 0, dReal(0.3 * v));
+            if (!after) walk(c, {}, 0, h());
+            dWorldStep(stage.world, dReal(h()));
+            if (after) walk(c, {}, 0, h());
+            const dReal* p = dBodyGetPosition(raft);
+            const double lag = after ? 0 : v * h();
+            EXPECT_NEAR(p[0] - feet(c).x, lag, 1e-6 + 10 * kRounding) << i;
+            EXPECT_NEAR(p[2] + 0.5 - feet(c).z, 0.3 * lag, 1e-5 + 10 * kRounding) << i;
+        }
+    }
+}
+
 TEST_P(Moving, takes_the_velocity_of_a_platform_into_a_jump)
 {
     Stage stage;

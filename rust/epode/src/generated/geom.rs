@@ -590,7 +590,8 @@ impl GeomMut<'_> {
     /// Move the character for a step of h seconds with a velocity that the program has worked out, gravity
     /// included: the ground carries it first, then it collides and slides. On ground it keeps the horizontal part
     /// of the velocity, uphill and downhill, unless the velocity leads away from the ground. Call it once for each
-    /// dWorldStep, before it. Returns the dCharacterState. Refused: a velocity above 1e4 m/s.
+    /// dWorldStep, after it: what carries it has moved then. Called before, it lags by the ground's motion in that
+    /// one step. Returns the dCharacterState. Refused: a velocity above 1e4 m/s.
     ///
     /// C: `dCharacterMove`.
     pub fn character_move(&mut self, velocity: Vec3, h: Real) -> Result<CharacterState> {
