@@ -181,6 +181,43 @@ TEST_P(RopePresets, holds_a_thousand_times_the_mass_of_a_link)
     EXPECT_NEAR(length(position(load)), 5.25, 0.01);
 }
 
+double energy(const Rope& rope)
+{
+    double sum = 0;
+    for (dBodyID link : rope.links) {
+        dMass m;
+        dBodyGetMass(link, &m);
+        dVector3 w;
+        dBodyVectorFromWorld(link, dBodyGetAngularVel(link)[0], dBodyGetAngularVel(link)[1],
+                             dBodyGetAngularVel(link)[2], w);
+        const V3 v = velocity(link);
+        sum += 0.5 * m.mass * dot(v, v) + m.mass * 9.81 * position(link).z;
+        for (int k = 0; k < 3; ++k) sum += 0.5 * m.I[5 * k] * w[k] * w[k];
+    }
+    return sum;
+}
+
+// A rope that is held at one end and let go cracks like a whip: its free end runs at 13 m/s after a fall of 2 m, at 15 m/s in steps of 1/1920
+// s, which lose less. No step makes energy.
+TEST_P(RopePresets, let_go_at_one_end_whips_by_its_weight_alone)
+{
+    for (const bool folded : {false, true}) {
+        Stage stage(preset());
+        Rope rope(30);
+        rope.settings.radius = real(0.01), rope.settings.length = 2, rope.settings.ends = dRopeFrom;
+        rope.lay(stage, {0, 0, 0}, {folded ? 0.1 : 2, 0, 0});
+        const double start = energy(rope);
+        double largest = start, fastest = 0;
+        for (int i = 0; i < int(1.5 / h()); ++i) {
+            stage.step(h());
+            largest = std::fmax(largest, energy(rope)), fastest = std::fmax(fastest, rope.speed());
+        }
+        EXPECT_LT(largest - start, 0.01) << folded;  // J, of 9.8 that it has
+        EXPECT_GT(fastest, 10) << folded;
+        EXPECT_LT(fastest, 15.5) << folded;
+    }
+}
+
 // Planks that are wide turn about their hinges far more easily than otherwise: h sqrt(12 T / (m l)) is 2.2 at 1/60 s.
 TEST_P(RopePresets, a_taut_bridge_of_wide_planks_hangs_still)
 {
