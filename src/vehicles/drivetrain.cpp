@@ -49,11 +49,19 @@ void make_shares(const Vehicle& vehicle, Real* share)
         share[i] = sum > 0 ? vehicle.wheels[i].settings.drive / sum : Real(0);
 }
 
+// Of a wheel that slides, the one with which it would roll: gears are not for its spin.
+Real rolling_speed(const Vehicle& vehicle, const VehicleWheel& wheel)
+{
+    const bool slides = wheel.on_ground && wheel.slip >= 1;
+    return slides ? vehicle.speed / wheel.settings.radius : wheel.spin;
+}
+
 Real shaft_speed(const Vehicle& vehicle)
 {
     Real share[dVehicleMaxWheels] = {}, speed[dVehicleMaxWheels] = {}, sum = 0;
     make_shares(vehicle, share);
-    for (int i = 0; i < vehicle.wheel_count; ++i) speed[speed_of_wheel(vehicle, i)] = vehicle.wheels[i].spin;
+    for (int i = 0; i < vehicle.wheel_count; ++i)
+        speed[speed_of_wheel(vehicle, i)] = rolling_speed(vehicle, vehicle.wheels[i]);
     for (int i = 0; i < speed_count(vehicle); ++i) sum += share[i] * speed[i];
     return sum;
 }

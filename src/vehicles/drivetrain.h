@@ -12,6 +12,8 @@
 // An open differential is the clutch's row alone: it gives the share r_i G of the torque to wheel i at any
 // speeds whose weighted mean is the shaft's (Milliken, Race Car Vehicle Dynamics, ch. 20). Speeds are those
 // against the chassis, which gets the reaction of every torque.
+//   automatic gearbox: shifts by the speed of the shaft at which the driven wheels roll or would roll. By that of wheels that
+//     spin it would shift up, find them rolling slowly when they are driven no more, and shift down again
 //   automatic clutch: its torque grows from 0 at 1.05 w_idle to all at 1.55 w_idle
 //   tracks: left and right turn as rho_l : rho_r, (1 - 2 s) : 1 for s > 0, on the spot at s = 1
 #pragma once

@@ -207,6 +207,32 @@ TEST(Gearbox, shifts_up_and_down_by_itself_and_rests_at_idle)
     EXPECT_LT(speed(car), 1e-3);
 }
 
+// Full throttle with ten times the torque that the rear tyres take: they spin, and it drives at what they hold.
+TEST_P(Driving, shifts_by_the_speed_of_the_road_while_its_wheels_spin)
+{
+    Road road;
+    road.flat();
+    dVehicleSettings s;
+    dVehicleSettingsInit(&s, sizeof s);
+    for (int i = 0; i < s.torque_points; ++i) s.engine_torques[i] *= 5;
+    s.clutch_torque *= 5, s.drag = 0;
+    const dBodyID car = road.car({}, s);
+    road.run(car, 1, h());
+    drive(car, 1);
+    int shifts = 0, before = 1;
+    for (double t = 0; t < 4; t += h()) {
+        road.run(car, h(), h());
+        const dVehicleReport r = report(car);
+        shifts += r.gear != before, before = r.gear;
+        EXPECT_TRUE(t < 0.5 || t > 1.5 || std::max(wheel(car, 2).slip, wheel(car, 3).slip) > 1) << t;
+    }
+    // The load of the rear axle grows by m a z / base.
+    const double high = Road::height(Wheels{}.like), a = kG / 2 / (1 - high / kBase);
+    EXPECT_LE(shifts, 2);
+    EXPECT_GT(speed(car), 0.85 * a * 4);  // without drive while it shifts and starts
+    EXPECT_LT(speed(car), a * 4 + 1);
+}
+
 // Ice under the left wheels: an open differential gives the right one no more than the left one has.
 TEST(Differentials, divide_the_torque_as_their_kind_says)
 {
