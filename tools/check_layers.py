@@ -27,7 +27,7 @@ MAY_INCLUDE = {
     "step": {"base", "math", "simd", "tasks", "rows", "geometry", "bvh", "dynamics", "joints", "solve", "collide",
              "query", "contacts", "fluid"},
 }
-MAY_INCLUDE["characters"] = MAY_INCLUDE["query"] | {"query", "dynamics", "rows", "step"}
+MAY_INCLUDE["characters"] = MAY_INCLUDE["query"] | {"query", "dynamics", "rows", "contacts", "step"}
 MAY_INCLUDE["vehicles"] = MAY_INCLUDE["step"] | {"step"}
 MAY_INCLUDE["assemblies"] = MAY_INCLUDE["step"] | {"step"}
 MAY_INCLUDE["state"] = MAY_INCLUDE["step"] | {"step"}

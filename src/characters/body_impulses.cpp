@@ -12,11 +12,30 @@
 #include "step/common/link.h"
 
 namespace epode {
+namespace {
+
+Body* body_under(dGeomID ground)
+{
+    Geom* const geom = from_handle<Geom>(ground);
+    Body* const body = geom ? body_of(*geom) : nullptr;
+    return body && !body->kinematic() ? body : nullptr;
+}
+
+bool gives_way(const Body& body) { return body.auto_disable && (body.fluid.wet || body.lasting); }
+
+}  // namespace
 
 Body* Mover::body_behind(const Touch& touch) const
 {
     Body* const body = body_of(*around_[touch.obstacle].geom);
     return body && !body->kinematic() ? body : nullptr;
+}
+
+// What floats less deep without it.
+void Mover::unload(dGeomID ground)
+{
+    Body* const body = body_under(ground);
+    if (body && body->disabled && gives_way(*body)) wake(*body);
 }
 
 void Mover::push(const Touch& touch)
@@ -33,12 +52,14 @@ void Mover::push(const Touch& touch)
     add_impulse(*body, impulse * d, arm);
 }
 
-// What sleeps under it has borne it when it fell asleep.
-void Mover::weigh()
+// What sleeps under it has borne it when it fell asleep. It wakes where it would give way: what floats or has joints, when the
+// weight has come or moved.
+void Mover::weigh(bool elsewhere)
 {
-    Geom* const geom = from_handle<Geom>(character_.ground);
-    Body* const body = geom ? body_of(*geom) : nullptr;
-    if (!body || body->kinematic() || body->disabled) return;
+    Body* const body = body_under(character_.ground);
+    if (!body) return;
+    if (body->disabled && elsewhere && gives_way(*body)) wake(*body);
+    if (body->disabled) return;
     const Vec3 impulse = -(settings_.mass * settings_.gravity * h_) * up_;
     add_impulse(*body, impulse, character_.ground_pos - body->position());
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "contacts/material.h"
 #include "math/trig.h"
 #include "step/common/link.h"
 
@@ -16,6 +17,7 @@ constexpr Real kLanding = Real(0.1);   // of the skin: ground so much farther aw
 constexpr Real kLeaves = Real(1e-3);   // of the speed: leads away from the ground
 constexpr Real kStride =
     Real(0.03);  // of the radius: the least way onto a step, a little over what kFoothold needs
+constexpr Real kShifted = Real(1e-3);      // m, of the weight on what it stands on
 constexpr Real kNothing = Real(1e-12);     // m
 constexpr Real kRounding = 64 * kEpsilon;  // of a motion, how far it may lead into a plane that it follows
 
@@ -58,7 +60,9 @@ bool Mover::run()
     const Vec3 motion = without_advance(h_ * velocity_);
     slide(grounded_ ? along_ground(motion, character_.ground_normal) : motion);
     if (grounded_) stick();
+    const dGeomID before = character_.ground;
     settle();
+    if (before != character_.ground) unload(before);
     store(self_.own_position, at_);
     character_.velocity = at_ == start_ ? Vec3{} : (at_ - start_) / h_;
     character_.launched = false;
@@ -84,7 +88,9 @@ bool Mover::collect()
 void Mover::ride()
 {
     Geom* const ground = from_handle<Geom>(character_.ground);
-    if (!ground || !ground->type->placeable || is_space(*ground)) return;
+    if (!ground || is_space(*ground)) return;
+    at_ += h_ * belt(*ground, character_.ground_pos, character_.ground_normal);
+    if (!ground->type->placeable) return;
     const Pose now = pose_of(*ground), &then = character_.ground_pose;
     if (now.p == then.p && now.R.row0 == then.R.row0 && now.R.row1 == then.R.row1 &&
         now.R.row2 == then.R.row2)
@@ -93,6 +99,15 @@ void Mover::ride()
     character_.carried = now.to_world(then.to_local(foot)) - foot;
     at_ += character_.carried;
     turn(now.R * transpose(then.R));
+}
+
+// The velocity of a surface that moves while its geom does not.
+Vec3 Mover::belt(Geom& ground, Vec3 pos, Vec3 normal) const
+{
+    if (!ground.material) return {};
+    const Vec3 v = load(material_at(ground, pos, normal).surface_velocity);
+    if (v == Vec3{}) return {};
+    return without(ground.type->placeable ? pose_of(ground).R * v : v, normal);
 }
 
 // The part of a rotation that is about up: of its quaternion the real part and the one along up.
@@ -330,6 +345,7 @@ void Mover::stand_on(const Touch& touch, Vec3 face)
     const Obstacle& o = around_[touch.obstacle];
     const dGeomID id = to_handle(o.geom);
     const bool same = character_.ground == id;
+    const bool elsewhere = !same || length(touch.pos - character_.ground_pos) > kShifted;
     character_.ground = id, character_.ground_side = o.side;
     character_.ground_pos = touch.pos, character_.ground_normal = face;
     character_.ground_pose = o.geom->type->placeable ? pose_of(*o.geom) : Pose{};
@@ -337,7 +353,8 @@ void Mover::stand_on(const Touch& touch, Vec3 face)
     character_.ground_velocity = body   ? body->point_velocity(touch.pos)
                                  : same ? character_.carried / h_
                                         : Vec3{};
-    if (character_.state == dCharacterOnGround) weigh();
+    character_.ground_velocity += belt(*o.geom, touch.pos, face);
+    if (character_.state == dCharacterOnGround) weigh(elsewhere);
 }
 
 void Mover::settle()

@@ -3,7 +3,7 @@
 //
 // One move of a character (ode/character.h). The shape keeps a gap, the skin, to everything: what glides along
 // a flat surface at that gap never meets the edges between its triangles or boxes. In this order:
-//   ride     the ground has moved since the last move: the character with it, and turns about up
+//   ride     the ground has moved since the last move, or its surface does, as a belt: the character with it, and turns about up
 //   free     what has come closer than the skin moves it out again
 //   slide    collide and slide: at each touch the motion loses what leads into the planes met so far, along
 //            the crease of two (Fauerby 2003); on ground, walkable planes change only its vertical part
@@ -34,6 +34,7 @@ class Mover {
 
     void ride();
     void turn(const Mat3& by);
+    Vec3 belt(Geom& ground, Vec3 pos, Vec3 normal) const;
     [[nodiscard]] bool collect();
     void free();
     Vec3 way_out(Real& deepest);
@@ -52,7 +53,8 @@ class Mover {
     bool is_steep(Vec3 n) const { return dot(n, up_) < slope_cos_; }
     Real feet(Vec3 centre) const { return dot(centre, up_) - half_height_ - skin_; }
     void push(const Touch& touch);
-    void weigh();
+    void weigh(bool elsewhere);
+    void unload(dGeomID ground);
     Body* body_behind(const Touch& touch) const;
 
     Geom& self_;

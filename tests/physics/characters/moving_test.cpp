@@ -203,6 +203,94 @@ TEST_P(Moving, lets_a_sleeping_body_sleep_that_it_stands_on_or_next_to)
     EXPECT_EQ(dBodyIsEnabled(crate), 1);
 }
 
+// A surface that moves while its geom does not; it turns with the geom, and a plane has one, too.
+TEST_P(Moving, is_carried_by_a_belt)
+{
+    for (const bool plane : {false, true}) {
+        Stage stage;
+        const dGeomID ground = plane ? stage.floor() : stage.box({0, 0, -0.5}, {20, 20, 1});
+        dMatrix3 turned;
+        dRFromAxisAndAngle(turned, 0, 0, 1, dReal(0.5));
+        if (!plane) dGeomSetRotation(ground, turned);
+        dMaterial belt;
+        dMaterialInit(&belt, sizeof belt);
+        belt.surface_velocity[0] = dReal(1.5);
+        dGeomSetMaterial(ground, &belt);
+        const double cx = plane ? 1 : std::cos(0.5), cy = plane ? 0 : std::sin(0.5);
+        const dGeomID c = stage.add({0, 0, 0}, settings());
+        const int n = int(2 / h() + 0.5);
+        for (int i = 0; i < n; ++i) {
+            dWorldStep(stage.world, dReal(h()));
+            EXPECT_EQ(walk(c, {}, 0, h()), dCharacterOnGround);
+        }
+        const double way = 1.5 * n * h();
+        EXPECT_NEAR(feet(c).x, way * cx, 1e-6 + 10 * kRounding);
+        EXPECT_NEAR(feet(c).y, way * cy, 1e-6 + 10 * kRounding);
+        EXPECT_NEAR(feet(c).z, 0, 1e-6 + 10 * kRounding);
+        EXPECT_NEAR(report(c).ground_velocity[0], 1.5 * cx, 1e-6);
+        EXPECT_NEAR(velocity(c).x, 1.5 * cx, 1e-5 + 1e4 * kRounding);
+    }
+}
+
+// A raft that has fallen asleep sinks by m / (rho A) under who steps on it, heels by m x / (rho I) as he walks, and comes up again.
+TEST_P(Moving, weighs_on_what_floats_and_sleeps)
+{
+    Stage stage(dDefaultsGame);
+    dFluidCreate(stage.world);
+    const dBodyID raft = stage.heavy_box({0, 0, 0}, {3, 3, 0.4}, 1800);
+    dBodySetLinearDamping(raft, dReal(h())), dBodySetAngularDamping(raft, dReal(h()));
+    dBodySetLinearDampingThreshold(raft, 0), dBodySetAngularDampingThreshold(raft, 0);
+    const auto settle = [&](dGeomID c) {
+        for (int i = 0; i * h() < 12; ++i) {
+            dWorldStepHybrid(stage.world, dReal(h()));
+            if (c) walk(c, {}, 0, h());
+        }
+        return double(dBodyGetPosition(raft)[2]);
+    };
+    const double alone = settle(nullptr);
+    ASSERT_EQ(dBodyIsEnabled(raft), 0);
+    const dGeomID c = stage.add({0, 0, alone + 0.2}, settings());
+    EXPECT_NEAR(alone - settle(c), 70.0 / (1000 * 9), 0.05 * 70 / (1000 * 9));
+    for (int i = 0; i * h() < 0.5; ++i) {
+        dWorldStepHybrid(stage.world, dReal(h()));
+        walk(c, {2, 0, 0}, 0, h());
+    }
+    settle(c);
+    // A capsule weighs under its middle, what has a flat sole somewhere under that.
+    const double heel = std::asin(-dBodyGetRotation(raft)[8]), arm = feet(c).x - dBodyGetPosition(raft)[0];
+    const double sole = GetParam().shape == dCapsuleClass ? 0 : 0.3;
+    // Stability: of the waterplane, rho I, and the weights, whose middle is 0.1 m above that of the displaced water.
+    const double per_metre = 70 / (1000 * (27 / 4.0) - 1870 * 0.1);
+    EXPECT_GT(heel, 0.95 * per_metre * (arm - sole));
+    EXPECT_LT(heel, 1.05 * per_metre * (arm + sole));
+    dCharacterSetPosition(c, 9, 9, 9);
+    dGeomDestroy(c);
+    EXPECT_NEAR(settle(nullptr), alone, 2e-3);
+}
+
+TEST_P(Moving, weighs_on_a_bridge_that_sleeps)
+{
+    Stage stage(dDefaultsGame);
+    dRopeSettings rope;
+    dRopeSettingsInit(&rope, sizeof rope);
+    rope.links = 10, rope.length = dReal(5.1), rope.mass = 100, rope.width = 1, rope.radius = dReal(0.03);
+    dBodyID planks[10];
+    const dVector3 from = {dReal(-2.5), 0, 0}, to = {dReal(2.5), 0, 0};
+    ASSERT_EQ(dRopeCreate(stage.world, stage.space, from, to, nullptr, nullptr, &rope, planks, nullptr), 10);
+    for (const dBodyID plank : planks)
+        dBodySetLinearDamping(plank, dReal(3 * h())), dBodySetAngularDamping(plank, dReal(3 * h()));
+    for (int i = 0; i * h() < 8; ++i) dWorldStepHybrid(stage.world, dReal(h()));
+    for (const dBodyID plank : planks) dBodyDisable(plank);
+    const double alone = dBodyGetPosition(planks[7])[2], x = dBodyGetPosition(planks[7])[0];
+    const dGeomID c = stage.add({x, 0, alone + 0.1}, settings());
+    for (int i = 0; i * h() < 3; ++i) {
+        dWorldStepHybrid(stage.world, dReal(h()));
+        walk(c, {}, 0, h());
+    }
+    EXPECT_EQ(report(c).state, dCharacterOnGround);
+    EXPECT_LT(dBodyGetPosition(planks[7])[2], alone - 0.02);
+}
+
 TEST_P(Moving, is_stopped_by_another_character_and_rides_on_it)
 {
     Stage stage;
