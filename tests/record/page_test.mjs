@@ -3,8 +3,9 @@
 //
 // A replay page in a real browser without a screen: it draws, plays, scrubs, orbits, follows, shows contacts and plots, complains of
 // nothing and asks the network for nothing.
-//     node page_test.mjs PAGE.html FOLDER [--measure]
-// FOLDER gets screenshots; --measure also counts frames a second. The browser is Debian's chromium, drawing by software.
+//     node page_test.mjs PAGE.html FOLDER [--measure] [--follows]
+// FOLDER gets screenshots; --measure also counts frames a second; --follows: one body goes far, and the page must follow it by itself.
+// The browser is Debian's chromium, drawing by software.
 import {createRequire} from 'node:module';
 import {pathToFileURL} from 'node:url';
 import {execFileSync} from 'node:child_process';
@@ -12,7 +13,8 @@ import fs from 'node:fs';
 import path from 'node:path';
 
 const {chromium} = createRequire(process.env.EPODE_NPM + '/')('playwright-core');
-const [page_file, folder, measure] = process.argv.slice(2);
+const [page_file, folder, ...options] = process.argv.slice(2);
+const measure = options.includes('--measure');
 let failures = 0;
 
 function check(holds, text) {
@@ -80,24 +82,32 @@ const start = await look('view');
 check(start.colors > 60, `the canvas is not blank: ${start.colors} colours`);
 check(await page.locator('#problem').isHidden(), 'no problem is shown');
 
-// Whatever the run, most of what moves is in the picture all the time.
-const seen = await page.evaluate(() => {
+// Whatever the run, most of what moves is in the picture all the time; where one body goes far, that one, and close enough to be seen.
+const follows = options.includes('--follows');
+const seen = await page.evaluate(follows => {
     const {stage, poses, end} = window.epode;
+    const moves = Array.from({length: poses.values.length / 7}, (_, i) => i).filter(i => !follows || i === stage.follow);
     let inside = 0, all = 0;
     for (let k = 0; k <= 10; ++k) {
         window.epode.seek(0.1 * k * end);
         window.epode.draw();
         stage.camera.updateMatrixWorld();
-        for (let i = 0; i < poses.values.length / 7; ++i) {
-            const p = stage.controls.target.clone().fromArray(poses.values, 7 * i).project(stage.camera);
-            inside += Math.abs(p.x) < 1 && Math.abs(p.y) < 1 && p.z < 1;
+        for (const i of moves) {
+            const p = stage.controls.target.clone().fromArray(poses.values, 7 * i), near = p.distanceTo(stage.camera.position) < 20;
+            p.project(stage.camera);
+            inside += Math.abs(p.x) < 1 && Math.abs(p.y) < 1 && p.z < 1 && (near || !follows);
             ++all;
         }
     }
     window.epode.seek(0);
     return inside / all;
-});
-check(seen > 0.85, `${(100 * seen).toFixed(0)} % of what moves is in the picture`);
+}, follows);
+check(seen > 0.85, `${(100 * seen).toFixed(0)} % of what ${follows ? 'is followed' : 'moves'} is in the picture`);
+if (follows) {
+    await browser.close();
+    await server.close();
+    process.exit(failures > 0 ? 1 : 0);
+}
 
 await page.locator('#play').click();
 await page.waitForFunction(() => window.epode.time > 0.15, null, {timeout: 30000}).catch(() => {});

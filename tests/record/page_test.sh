@@ -20,6 +20,9 @@ node "$root/tests/record/page_test.mjs" "$work/wall.html" "$pictures"
 # A car, which drives out of any picture that stands still.
 "$program" run buggy --html "$work/buggy.html" --quiet >/dev/null
 node "$root/tests/record/page_test.mjs" "$work/buggy.html" "$work"
+# A bike that goes far between posts that stay: alone it would be a dot in a view of all.
+"$program" run motorbike --html "$work/motorbike.html" --quiet >/dev/null
+node "$root/tests/record/page_test.mjs" "$work/motorbike.html" "$work" --follows
 [ "${EPODE_MEASURE:-0}" = 1 ] || exit 0
 "$program" run boxes-1000 --seconds 10 --html "$work/boxes.html" --quiet >/dev/null
 echo "page of 1,000 bodies over 10 s: $(wc -c < "$work/boxes.html") bytes, $(gzip -9c "$work/boxes.html" | wc -c) by gzip"

@@ -14,6 +14,7 @@ import {Poses} from './poses.js';
 import {draws_in_software, kLevels} from './quality.js';
 
 const kSky = new Color(0xdfe7ee);
+const kFar = 25, kFollowed = 2;  // m
 const kSolid = {plane: 5}, kDirection = [0.45, -0.85, 0.32];  // from what is seen to the eye
 
 function geometry_of(solid) {
@@ -60,6 +61,14 @@ function extent_of(points) {
     const center = new Vector3(middle(0), middle(1), middle(2));
     const distances = points.map(p => p.distanceTo(center)).sort((a, b) => a - b);
     return {center, radius: Math.max(1, 1.15 * distances[Math.floor(0.95 * (distances.length - 1))] + 0.5)};
+}
+
+// Carriers that go far, in a view of that radius, and stay together; all, or many that scatter: none.
+function travellers(moments, radius) {
+    const start = moments[0], ways = start.map((p, i) => Math.max(...moments.map(points => points[i].distanceTo(p))));
+    const far = start.map((_, i) => i).filter(i => ways[i] > 0.5 * Math.max(...ways));
+    const together = far.length <= start.length / 2 && moments.every(points => extent_of(far.map(i => points[i])).radius < radius / 8);
+    return radius > kFar && together ? far : [];
 }
 
 export class Stage {
@@ -185,18 +194,25 @@ export class Stage {
 
     // A view of the whole run: of everything that moves, wherever it goes, but for the few that fly far away. Where all go
     // somewhere else together, like a car, a view of the start, and the carrier in its middle is the one to follow; -1: none.
+    // Likewise where a few go far together and all others stay, like a bike between posts.
     frame_all() {
         const poses = new Poses(this.recording), {carriers, times} = this.recording;
         const at = time => {
             poses.go_to(time);
             return Array.from({length: carriers.count}, (_, i) => new Vector3().fromArray(poses.values, 7 * i));
         };
-        const kMoments = 12, first = times[0], span = times[times.length - 1] - first, points = at(first);
-        const start = extent_of(points), whole = extent_of(Array.from({length: kMoments + 1}, (_, i) => at(first + span * i / kMoments)).flat());
-        const leaves = whole.radius > 4 * start.radius;
-        this.look_at(leaves ? start : whole);
-        const distances = points.map(p => p.distanceTo(start.center));
-        return leaves ? distances.indexOf(Math.min(...distances)) : -1;
+        const kMoments = 12, first = times[0], span = times[times.length - 1] - first;
+        const moments = Array.from({length: kMoments + 1}, (_, i) => at(first + span * i / kMoments));
+        const whole = extent_of(moments.flat());
+        for (const some of [moments[0].map((_, i) => i), travellers(moments, whole.radius)]) {
+            const points = some.map(i => moments[0][i]), start = extent_of(points);
+            if (some.length === 0 || whole.radius <= 4 * start.radius) continue;
+            this.look_at(some.length < moments[0].length ? {...start, radius: Math.max(start.radius, kFollowed)} : start);
+            const distances = points.map(p => p.distanceTo(start.center));
+            return some[distances.indexOf(Math.min(...distances))];
+        }
+        this.look_at(whole);
+        return -1;
     }
 
     look_at({center, radius, direction = kDirection}) {
