@@ -41,8 +41,9 @@ enum { dMaxCouplingAxes = 8 };
 ODE_API dJointID dJointCreateCoupling(dWorldID world, dJointGroupID group);
 
 /** - dJointSetCouplingAxis: Let the position of an axis count factor times, in place i; joint 0 empties the
-      place. Wakes the bodies. Returns 1, or 0 when refused: a coupling or a joint of another world as joint;
-      an axis that it does not have; a factor that is 0 or not finite; or out of memory.
+      place. Wakes the bodies. Another factor for the axis that a place has is, from then on, part of the
+      world's state, not of its structure. Returns 1, or 0 when refused: a coupling or a joint of another
+      world as joint; an axis that it does not have; a factor that is 0 or not finite; or out of memory.
     - dJointGetCouplingJoint: Returns the joint in place i, 0 if the place is empty.
     - dJointGetCouplingAxis: Returns the number of its axis, 0 if the place is empty.
     - dJointGetCouplingFactor: Returns its factor, 0 if the place is empty. [ours] */

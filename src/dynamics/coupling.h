@@ -21,6 +21,7 @@ struct CoupledAxis {
 struct CouplingJoint : LastingJoint {
     using LastingJoint::LastingJoint;
     CoupledAxis member[kMaxCoupledAxes];
+    bool moves = false;  // its factors have changed since it has its axes: they are state, no structure
     Real force = 0;  // along s, the mean over the last step
 };
 

@@ -50,7 +50,8 @@ std::uint64_t hash_of(const Joint& joint, const BodyTable& bodies)
             for (const JointNode& node : member.joint->node)
                 hash.add(node.body ? std::uint64_t(bodies.find(node.body->serial)) : kNobody);
             hash.add(std::uint64_t(member.joint->type->number) << 8 | std::uint64_t(member.axis));
-            hash.add(&member.factor, 1);
+            const Real factor = coupling_of(joint).moves ? 0 : member.factor;  // 0 is none that it could have
+            hash.add(&factor, 1);
         });
     return hash.value();
 }

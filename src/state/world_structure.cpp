@@ -191,16 +191,20 @@ void WorldStructure::visit_couplings()
         if (!stream_.demand(joint && is_coupling(*joint), "a coupling in it is none")) return;
         CouplingJoint& coupling = coupling_of(*joint);
         if (stream_.loads() && !stream_.demand(list_coupling(coupling), kOutOfMemory)) return;
-        for (CoupledAxis& member : coupling.member) visit_member(member);
+        for (CoupledAxis& member : coupling.member) visit_member(coupling, member);
     }
 }
 
-void WorldStructure::visit_member(CoupledAxis& member)
+// Of one whose factors move the axes have numbers from kMoves on.
+void WorldStructure::visit_member(CouplingJoint& coupling, CoupledAxis& member)
 {
+    constexpr int kMoves = 64;
     CoupledAxis m = member;
     visit_name(m.joint);
     if (!m.joint) return;
+    if (coupling.moves && stream_.saves()) m.axis += kMoves;
     stream_.number(m.axis), stream_.real(m.factor);
+    if (stream_.loads() && m.axis >= kMoves) m.axis -= kMoves, coupling.moves = true;
     if (stream_.saves() || stream_.failed()) return;
     const bool fits = !is_coupling(*m.joint) && m.joint->coupled && m.axis >= 0 &&
                       m.axis < axis_count(*m.joint) && usable(m.factor) && m.factor != 0;

@@ -58,7 +58,7 @@ class WorldStructure {
     Joint* load_joint(int number);
     void visit_switches(Joint& joint);
     void visit_couplings();
-    void visit_member(CoupledAxis& member);
+    void visit_member(CouplingJoint& coupling, CoupledAxis& member);
     void visit_name(Joint*& joint);
     void visit_links();
     void save_links(const Body& body);

@@ -87,7 +87,19 @@ struct Coupling : CouplingJoint {
                param == dParamStopCFM || param == dParamBounce;
     }
 
-    void state(StateStream& stream) { stops.state(*world, stream); }
+    void state(StateStream& stream)
+    {
+        stops.state(*world, stream);
+        for (CoupledAxis& m : member)
+            if (moves && m.joint) visit_factor(stream, m);
+    }
+    // A damaged state may have 0, which is none: the factor stays.
+    static void visit_factor(StateStream& stream, CoupledAxis& m)
+    {
+        Real factor = m.factor;
+        stream.reals(&factor, 1);
+        if (factor != 0) m.factor = factor;
+    }
     void structure(StructureStream& stream) { stream.real(force); }  // members: state/world_structure
     void describe(DifWriter& out) const
     {
@@ -166,6 +178,17 @@ void wake_bodies(const CouplingJoint& coupling)
     });
 }
 
+// Of an axis that it has: that is no other structure, so a state of before or after can be loaded from the second change on.
+void change_factor(CouplingJoint& coupling, CoupledAxis& place, Real factor)
+{
+    if (place.factor == factor) return;
+    place.factor = factor;
+    if (!coupling.moves) note_structure_changed();
+    coupling.moves = true;
+    forget_impulses(coupling);
+    wake_bodies(coupling);
+}
+
 }  // namespace
 }  // namespace epode
 
@@ -186,6 +209,7 @@ int dJointSetCouplingAxis(dJointID id, int i, dJointID joint_id, int axis, dReal
     if (joint_id) {
         const char* const fault = fault_of(coupling, joint, axis, factor);
         EPODE_USER_SAY(!fault, fault, 0);
+        if (place->joint == joint && place->axis == axis) return change_factor(coupling, *place, factor), 1;
         EPODE_USER_SAY(list_coupling(coupling), kOutOfMemory, 0);
         set_continuous(*joint, axis, true);
         joint->coupled = true;

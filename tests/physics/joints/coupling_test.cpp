@@ -389,5 +389,37 @@ TEST(Coupling, refuses_bad_input)
     EXPECT_EQ(dJointGetCouplingJoint(r.coupling, 0), nullptr);
 }
 
+// A factor that changes as the world moves is no other structure: states of before and after are taken back with theirs, by clones, too.
+TEST(Coupling, whose_factors_change_take_states_with_other_factors)
+{
+    Rotors r({2, 1});
+    r.couple({1, -1});
+    r.couple({1, -2});  // from here on they move
+    const auto state_of = [](dWorldID world) {
+        std::vector<char> bytes(dWorldGetStateSize(world));
+        EXPECT_EQ(dWorldGetState(world, bytes.data(), bytes.size()), 1);
+        return bytes;
+    };
+    const auto go_on = [](dWorldID world) {
+        dBodyID bodies[2];
+        dWorldGetBodies(world, bodies, 2);
+        dBodyAddTorque(bodies[0], 1, 0, 0);
+        dWorldStep(world, real(kStep));
+        return dBodyGetAngularVel(bodies[0])[0];
+    };
+    const std::vector<char> before = state_of(r.sim.world);
+    const dReal first = go_on(r.sim.world);
+    r.couple({1, -5});
+    const dWorldID clone = dWorldClone(r.sim.world, nullptr, nullptr, 0);
+    ASSERT_NE(clone, nullptr);
+    for (const dWorldID world : {r.sim.world, clone}) {
+        ASSERT_EQ(dWorldSetState(world, before.data(), before.size()), 1);
+        EXPECT_EQ(go_on(world), first);
+        EXPECT_EQ(state_of(world).size(), before.size());
+    }
+    EXPECT_EQ(dJointGetCouplingFactor(r.coupling, 1), -2);
+    dWorldDestroy(clone);
+}
+
 }  // namespace
 }  // namespace epode::physics
