@@ -420,6 +420,7 @@ Robot::Robot(const Robot& like, int)
       pulls_(like.pulls_),
       servos_(like.servos_),
       pasts_(like.pasts_),
+      bends_(like.bends_),
       holds_(like.holds_),
       limits_(like.limits_),
       time_(like.time_)
@@ -439,6 +440,7 @@ std::unique_ptr<Robot> Robot::counterpart(const std::vector<dBodyID>& bodies,
     for (size_t i = 0; i < joints.size(); ++i) joint_for[all_joints_[i]] = joints[i];
     for (auto* all : {&out->bodies_, &out->still_, &out->all_bodies_})
         for (dBodyID& one : *all) one = one ? body_for[one] : nullptr;
+    for (Bent& bent : out->bends_) bent.joint = joint_for[bent.joint];
     for (auto* all : {&out->joints_, &out->turns_, &out->tendons_, &out->holders_, &out->all_joints_})
         for (dJointID& one : *all) one = one ? joint_for[one] : nullptr;
     for (Small& small : out->small_) small.body = body_for[small.body];

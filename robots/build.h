@@ -12,6 +12,7 @@
 
 #include <memory>
 
+#include "robots/bend.h"
 #include "robots/kinematics.h"
 #include "robots/model.h"
 #include "robots/pairs.h"
@@ -189,6 +190,8 @@ class Robot {
     void make_closure(dWorldID world, const Closure& closure);
     dJointID make_coupling(dWorldID world, const std::vector<Coupling::Term>& terms, double low, double high);
     void make_couplings(dWorldID world);
+    void lay_tangents(const std::vector<double>& positions);
+    int move_tangents();
     void exclude(dWorldID world, int link1, int link2);
     void keep_apart(dWorldID world, dBodyID one, dBodyID two);
     // What acts on a coordinate or on a tendon's sum.
@@ -290,7 +293,13 @@ class Robot {
         double rate = 0, inertia = 0;  // and the force of its armature
         double hold = 0;               // what its friction took to stop it
     };
-    std::vector<Past> pasts_;    // of tendons
+    std::vector<Past> pasts_;  // of tendons
+    struct Bent {              // a coupling that is no straight line
+        int coupling;
+        dJointID joint;
+        Bend bend;
+    };
+    std::vector<Bent> bends_;
     std::vector<double> holds_;  // of ties, what it took to hold them
     std::vector<double>
         limits_;  // of tendons with a path, what their limits exerted at the last call of add_forces

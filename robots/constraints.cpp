@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See constraints.h. A coupling counts as the straight line that a world holds, a tie as its curve; rows are those of couplings, of ties, of loops.
+// See constraints.h. Couplings and ties count as their curves; rows are those of couplings, of ties, of loops.
 #include "robots/constraints.h"
 
+#include "robots/bend.h"
 #include "robots/kinematics.h"
 #include "robots/tie.h"
 
@@ -46,7 +47,7 @@ std::vector<double> constraint_errors(const RobotModel& model, const std::vector
         double sum = -coupling.offset;
         for (const Coupling::Term& term : coupling.terms)
             sum += term.factor * positions[size_t(model.joints[size_t(term.joint)].position)];
-        out.push_back(sum);
+        out.push_back(sum - tangent_of(model, bend_of(model, coupling), positions).value);
     }
     append(out, tie_errors(model, positions));
     if (model.closures.empty()) return out;
@@ -72,6 +73,10 @@ std::vector<double> constraint_jacobian(const RobotModel& model, const std::vect
         out.resize(row + count, 0);
         for (const Coupling::Term& term : coupling.terms)
             out[row + velocity[size_t(term.joint)]] += term.factor;
+        const Bend bend = bend_of(model, coupling);
+        const double slope = tangent_of(model, bend, positions).slope;
+        for (const Coupling::Term& term : bend.inner)
+            out[row + velocity[size_t(term.joint)]] -= slope * term.factor;
     }
     append(out, tie_jacobian(model, positions));
     if (model.closures.empty()) return out;

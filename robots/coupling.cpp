@@ -2,9 +2,11 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Sums of coordinates of a built robot, as ODE's couplings: mimic joints and equalities of joints (equal stops),
-// tendons (stops, springs, actuators). ODE's positions are p = q - r, so stops of s = sum f q are those of sum f p,
+// tendons (stops, springs, actuators). One that is no straight line is its tangent (bend.h), again and again. ODE's positions are p = q - r, so stops of s = sum f q are those of sum f p,
 // moved by sum f r.
 #include <ode/ext.h>
+
+#include <algorithm>
 
 #include "robots/build.h"
 
@@ -52,10 +54,55 @@ dJointID Robot::make_coupling(dWorldID world, const std::vector<Coupling::Term>&
 
 void Robot::make_couplings(dWorldID world)
 {
-    for (const Coupling& coupling : model().couplings)
-        make_coupling(world, coupling.terms, coupling.offset, coupling.offset);
+    for (size_t i = 0; i < model().couplings.size(); ++i) {
+        const Coupling& coupling = model().couplings[i];
+        const dJointID its = make_coupling(world, coupling.terms, coupling.offset, coupling.offset);
+        if (const Bend bend = bend_of(model(), coupling);
+            its && !bend.powers.empty() && coupling.terms.size() <= size_t(dMaxCouplingAxes))
+            bends_.push_back({int(i), its, bend});
+    }
+    lay_tangents(reference_positions(model()));
     for (const Tendon& tendon : model().tendons)
         tendons_.push_back(make_coupling(world, tendon.terms, tendon.low, tendon.high));
+}
+
+// The line through where the positions are. A factor of 0 would be no place of the coupling: it is nearly 0.
+void Robot::lay_tangents(const std::vector<double>& positions)
+{
+    constexpr double kLeast = 1e-12;
+    for (const Bent& bent : bends_) {
+        const Coupling& coupling = model().couplings[size_t(bent.coupling)];
+        const BendTangent tangent = tangent_of(model(), bent.bend, positions);
+        std::vector<Coupling::Term> terms = coupling.terms;
+        const size_t first = terms.size() - bent.bend.inner.size();  // the inner ones are the last
+        double shift = 0;
+        for (size_t i = 0; i < terms.size(); ++i) {
+            if (i >= first) terms[i].factor -= tangent.slope * bent.bend.inner[i - first].factor;
+            if (terms[i].factor == 0) terms[i].factor = kLeast;
+            const Joint& joint = model().joints[size_t(terms[i].joint)];
+            dJointSetCouplingAxis(bent.joint, int(i), joints_[size_t(terms[i].joint)], 0,
+                                  dReal(terms[i].factor));
+            shift += terms[i].factor * joint.reference;
+        }
+        const double stop = coupling.offset + tangent.offset - shift;
+        dJointSetCouplingParam(bent.joint, dParamLoStop, -dInfinity);
+        dJointSetCouplingParam(bent.joint, dParamHiStop, dReal(stop));
+        dJointSetCouplingParam(bent.joint, dParamLoStop, dReal(stop));
+    }
+}
+
+// Before a step, unless all rests: what is moved wakes. Returns how many there are, at rest, too.
+int Robot::move_tangents()
+{
+    const auto is_awake = [&](const Bent& bent) {
+        for (const Coupling::Term& term : model().couplings[size_t(bent.coupling)].terms)
+            if (const dBodyID its = body(model().joints[size_t(term.joint)].link);
+                its && dBodyIsEnabled(its) && !dBodyIsKinematic(its))
+                return true;
+        return false;
+    };
+    if (std::any_of(bends_.begin(), bends_.end(), is_awake)) lay_tangents(positions());
+    return int(bends_.size());
 }
 
 std::vector<std::string> Robot::not_built(const RobotModel& model)

@@ -97,6 +97,7 @@ void Robot::set_positions(const std::vector<double>& positions)
         const double position = positions[size_t(joint.position)] - joint.reference;
         if (joints_[i] && joint.kind == JointKind::kHinge) dJointSetAxisTurn(joints_[i], 0, dReal(position));
     }
+    lay_tangents(positions);
 }
 
 std::vector<double> Robot::positions() const

@@ -424,7 +424,7 @@ int Robot::add_forces(double h)
 {
     const int filters = move_filters(h);
     move_muscles();
-    return filters + add_tendon_forces(h) + add_ties(h) + add_wrenches(h) + add_adhesion() +
+    return filters + move_tangents() + add_tendon_forces(h) + add_ties(h) + add_wrenches(h) + add_adhesion() +
            add_free_drag(h) + add_fluid_forces(h) + add_lifts();
 }
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "batch/model/loops.h"
+#include "robots/bend.h"
 
 namespace epode::batch {
 
@@ -32,36 +33,18 @@ int add_terms(BatchModel& out, const std::vector<Coupling::Term>& terms, std::se
     return first;
 }
 
-// What the polynomial of a coupling is of: the second joint's coordinate, or the second tendon's length, both from their references.
-struct Bend {
-    std::vector<Coupling::Term> terms;
-    std::vector<double> polynomial;  // from the second power on
-};
-
-Bend bend_of(const RobotModel& model, const Coupling& coupling)
-{
-    Bend out;
-    if (coupling.polynomial.empty()) return out;
-    if (coupling.tendons[1] >= 0)
-        out.terms = model.tendons[size_t(coupling.tendons[1])].terms;
-    else if (coupling.terms.size() > 1)
-        out.terms = {{coupling.terms[1].joint, 1}};
-    if (!out.terms.empty()) out.polynomial = coupling.polynomial;
-    return out;
-}
-
 void add_bend(BatchModel& out, const RobotModel& model, const Bend& bend, BatchSum& sum, std::set<int>& moved)
 {
-    sum.first_inner = add_terms(out, bend.terms, moved);
+    sum.first_inner = add_terms(out, bend.inner, moved);
     sum.inner = int(out.sum_terms.size()) - sum.first_inner;
-    if (bend.polynomial.empty()) return;
+    if (bend.powers.empty()) return;
     double zero = 0;
-    for (const Coupling::Term& term : bend.terms)
+    for (const Coupling::Term& term : bend.inner)
         zero += term.factor * model.joints[size_t(term.joint)].reference;
     sum.curve = int(out.numbers.size());
     out.numbers.push_back(zero);
     for (size_t i = 0; i + 1 < curve_number::kCount; ++i)
-        out.numbers.push_back(i < bend.polynomial.size() ? bend.polynomial[i] : 0);
+        out.numbers.push_back(i < bend.powers.size() ? bend.powers[i] : 0);
 }
 
 struct Acts {
