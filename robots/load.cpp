@@ -5,6 +5,7 @@
 #include "robots/load.h"
 
 #include <cmath>
+#include <cstring>
 
 #include "robots/inertia.h"
 #include "robots/numbers.h"
@@ -172,6 +173,13 @@ void finish(RobotModel& model, const LoadOptions& options)
 
 }  // namespace
 
+// Whether an element of xacro's own is there, however deep.
+static bool has_macros(const pugi::xml_node& root)
+{
+    return bool(root.find_node(
+        [](const pugi::xml_node& node) { return std::strncmp(node.name(), "xacro:", 6) == 0; }));
+}
+
 RobotModel load_robot_text(const std::string& path, const std::string& text, const LoadOptions& options)
 {
     RobotModel model;
@@ -187,6 +195,13 @@ RobotModel load_robot_text(const std::string& path, const std::string& text, con
     }
     const Element root{document->tree.document_element(), document.get()};
     const std::map<std::string, std::string> formats{{"robot", "URDF"}, {"mujoco", "MJCF"}, {"sdf", "SDF"}};
+    if (root.name() == "robot" && has_macros(root.node))
+        reading.error(
+            root,
+            "this is xacro, macros for URDF: write what the program xacro makes of it to a file, `xacro "
+            "FILE > robot.urdf` (pip install xacro, or Debian's package xacro); Python's epode.load calls "
+            "it");
+    if (model.has_errors()) return model;
     if (const auto found = formats.find(root.name()); found != formats.end()) model.format = found->second;
     if (model.format == "URDF")
         read_urdf(root, reading);

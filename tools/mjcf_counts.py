@@ -113,7 +113,8 @@ def text():
     return "\n".join(lines) + "\n"
 
 
-file = pathlib.Path("robots/read/mjcf_counts.inc")
-if "--check" in sys.argv:
-    sys.exit(file.read_text() != text())
-file.write_text(text())
+if __name__ == "__main__":
+    file = pathlib.Path("robots/read/mjcf_counts.inc")
+    if "--check" in sys.argv:
+        sys.exit(file.read_text() != text())
+    file.write_text(text())

@@ -79,6 +79,9 @@ void check_mjcf_counts(const Element& element, Reading& reading)
 {
     static const Counts table = counts_of(kMjcf);
     check_counts_of(table, element, reading);
+    for (const pugi::xml_attribute& attribute : element.node.attributes())
+        if (limit_of_attribute(table, element.name(), attribute.name()))
+            reading.check_numbers(element, attribute.name(), attribute.value());
 }
 
 void check_urdf_counts(const Element& robot, Reading& reading)

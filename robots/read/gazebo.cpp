@@ -21,12 +21,6 @@ std::string value_of(const Element& element)
     return element.has("value") ? element.text("value") : element.node.text().get();
 }
 
-bool is_true(const Element& element)
-{
-    const std::string text = value_of(element);
-    return text == "true" || text == "1" || text == "True";
-}
-
 class Gazebo {
   public:
     explicit Gazebo(Reading& reading) : reading_(reading), model_(reading.model) {}
@@ -55,14 +49,28 @@ class Gazebo {
             "<" + child.name() + "> in <gazebo>" + (reference.empty() ? "" : " of '" + reference + "'"));
     }
 
-    // False and a note where there is something else: what a simulator may ignore refuses no robot.
+    std::string shown(const Element& element) const
+    {
+        return "<" + element.name() + "> in <gazebo> is '" + value_of(element).substr(0, 60) + "', wanted ";
+    }
+
+    // False and an error where there is something else.
     bool numbers(const Element& element, size_t count, std::vector<double>& out)
     {
         if (parse_numbers(value_of(element), out) && out.size() == count) return true;
-        reading_.note(
-            Note::kIgnored, element,
-            "<" + element.name() + "> in <gazebo>: finite numbers are wanted, " + std::to_string(count));
+        reading_.error(element, shown(element) + std::to_string(count) +
+                                    (count == 1 ? " finite number" : " finite numbers"));
         return false;
+    }
+    // False, too, with an error where it is neither.
+    bool is_true(const Element& element)
+    {
+        static const std::set<std::string> yes{"true", "True", "1"}, no{"false", "False", "0"};
+        std::string text = value_of(element);
+        text.erase(0, std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+        text.erase(text.find_last_not_of(" \t\r\n") + 1);
+        if (!yes.count(text) && !no.count(text)) reading_.error(element, shown(element) + "true or false");
+        return yes.count(text) > 0;
     }
     bool number(const Element& element, double& out)
     {
@@ -84,6 +92,7 @@ class Gazebo {
         } else if (name == "springReference") {
             number(child, joint.spring_reference);
         } else if (name == "stopCfm" || name == "stopErp" || name == "fudgeFactor") {
+            number(child, value);
             reading_.note_once(Note::kApproximated, child, "joint " + name + ": limits are rigid");
         } else {
             ignore(child, joint.name);
@@ -103,6 +112,8 @@ class Gazebo {
         if (name == "mu1" || name == "mu" || name == "mu2") {
             read_friction(child, link);
         } else if (soft.count(name)) {
+            double value = 0;
+            number(child, value);
             reading_.note_once(Note::kApproximated, child, "link " + name + ": contacts are rigid");
         } else if (name == "turnGravityOff" || name == "gravity") {
             link.is_weightless = is_true(child) == (name == "turnGravityOff");

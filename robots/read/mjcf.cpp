@@ -47,7 +47,14 @@ bool Mjcf::vec(const Attributes& attributes, const char* name, Vec& out)
 bool Mjcf::is_limited(const Attributes& attributes, const char* flag, const char* range) const
 {
     const std::string text = attributes.text(flag);
-    return text == "true" || (text != "false" && compiler_.autolimits && attributes.has(range));
+    std::vector<double> ends;
+    const bool has_ends = parse_numbers(attributes.text(range), ends) && ends.size() == 2;
+    if (text != "true") return text != "false" && compiler_.autolimits && has_ends && ends[0] != ends[1];
+    if (!has_ends || ends[0] > ends[1])
+        reading_.error(attributes.element(), "<" + attributes.element().name() + "> " + flag +
+                                                 " is true, and no " + range +
+                                                 " says from where to where, the lower end first");
+    return true;
 }
 
 double Mjcf::angle(double value) const { return compiler_.degrees ? value * kDegree : value; }
@@ -313,6 +320,9 @@ void Mjcf::read()
     finish_attached();
     switch_off();
     note_other_sections(sections);
+    std::vector<std::string> copied;
+    for (const auto& [name, unused] : copies_) copied.push_back(name);
+    names_.judge(copied);
 }
 
 void read_mjcf(const Element& mujoco, Reading& reading) { Mjcf(mujoco, reading).read(); }

@@ -107,6 +107,7 @@ class Mjcf {
     void read_camera(const Attributes& attributes, const Scope& scope);
     void read_color(const Attributes& attributes, Shape& shape);
     void read_free_joint(const Attributes& attributes, const Scope& scope);
+    bool fits_others(const Attributes& attributes, JointKind kind, const Scope& scope);
     bool read_range(const Attributes& attributes, Joint& joint);
     void read_passive(const Attributes& attributes, Joint& joint);
     // The first coefficient of a force's polynomial, not below 0.
@@ -152,6 +153,7 @@ class Mjcf {
     bool find_body(const Attributes& attributes, Actuator& actuator);
     bool find_direction(const Attributes& attributes, Actuator& actuator);
     void read_gains(const Attributes& attributes, Actuator& actuator);
+    void check_servo(const Attributes& attributes);
     void read_activation(const Attributes& attributes, Actuator& actuator);
     void read_filter(const Attributes& attributes, Actuator& actuator);
     double damping_of(const Actuator& actuator, double ratio);
@@ -165,11 +167,13 @@ class Mjcf {
     bool find_touching(const Element& element, const char* attribute, int& link);
     void read_pair(const Attributes& attributes);
     void read_pair_friction(const Attributes& attributes, ShapePair& pair);
+    void check_key(const Element& element);
     void read_keys(const Element& section);
     void read_mocap(const Element& element, Start& start);
 
     // mjcf_equalities.cpp
     void read_equalities(const Element& section);
+    bool names_one_twice(const Element& element);
     void read_closure(const Attributes& attributes, bool weld);
     bool join_sites(const Element& element, Closure& closure);
     bool join_bodies(const Attributes& attributes, Closure& closure);
@@ -188,7 +192,7 @@ class Mjcf {
               std::vector<double>& out);
     bool number(const Attributes& attributes, const char* name, double& out);
     bool vec(const Attributes& attributes, const char* name, Vec& out);
-    // A limit is on if said so, or if there is a range and the compiler decides.
+    // A limit is on if said so, which wants a range, or if the compiler decides and there is a range of other ends: "0 0" is none.
     bool is_limited(const Attributes& attributes, const char* flag, const char* range) const;
     double angle(double value) const;
 

@@ -21,8 +21,8 @@ bool Mjcf::find_target(const Attributes& a, Actuator& actuator)
     if (a.element().has("cranksite")) return find_crank(a, actuator);
     if (a.element().has("body")) return find_body(a, actuator);
     if (joint.empty() && tendon.empty()) {
-        reading_.note(Note::kIgnored, a.element(),
-                      "actuator '" + actuator.name + "' acts on neither joint nor tendon");
+        reading_.error(a.element(), "actuator '" + actuator.name +
+                                        "' names nothing to act on: a joint, tendon, site or body");
         return false;
     }
     actuator.joint = joint.empty() ? -1 : model_.joint_named(joint);
@@ -137,6 +137,7 @@ void Mjcf::read_gains(const Attributes& a, Actuator& actuator)
         if (actuator.gain_velocity > 0 || actuator.low < 0)
             reading_.error(a.element(), "the damper '" + actuator.name + "' has a negative kv or control");
     } else if (actuator.kind != "motor") {
+        check_servo(a);
         number(a, "kp", kp), number(a, "kv", kv);
         const bool is_servo = actuator.kind != "velocity";
         actuator.bias_position = is_servo ? kp : 0, actuator.bias_velocity = kv;
@@ -146,6 +147,19 @@ void Mjcf::read_gains(const Attributes& a, Actuator& actuator)
             actuator.bias_velocity = damping_of(actuator, ratio);
     }
     if (!actuator.muscle.acts) read_activation(a, actuator);
+}
+
+// What a servo has: one damping, and nothing below 0.
+void Mjcf::check_servo(const Attributes& a)
+{
+    if (a.element().name() == "velocity") return;
+    if (a.element().has("kv") && a.element().has("dampratio"))
+        reading_.error(a.element(), "a servo with kv and dampratio: one of them");
+    for (const char* name : {"kv", "dampratio", "timeconst"}) {
+        double value = 0;
+        if (number(a, name, value) && value < 0)
+            reading_.error(a.element(), "<" + a.element().name() + "> " + name + " is below 0");
+    }
 }
 
 // 2 z sqrt(kp m), with the mass m that the actuator feels through its gear at the reference position.
@@ -193,7 +207,7 @@ void Mjcf::read_filter(const Attributes& a, Actuator& actuator)
     filter.kind = kind->second;
     for (const auto& [name, text] : actuator.activation)
         if (name == "dynprm" && parse_numbers(text, values) && !values.empty()) filter.time = values[0];
-    if (list(a, "actrange", 2, 2, values) && is_limited(a, "actlimited", "actrange"))
+    if (is_limited(a, "actlimited", "actrange") && list(a, "actrange", 2, 2, values))
         filter.low = values[0], filter.high = values[1];
     filter.is_early = a.text("actearly") == "true";
     if (filter.low > filter.high)
@@ -340,9 +354,9 @@ void Mjcf::read_actuator(const Attributes& a)
     if (list(a, "gear", 1, 6, values)) actuator.gear = values[0];
     if (length(actuator.direction) > 0 || actuator.wrench.link >= 0 || actuator.adhesive_link >= 0)
         actuator.gear = 1;
-    if (list(a, "ctrlrange", 2, 2, values) && is_limited(a, "ctrllimited", "ctrlrange"))
+    if (is_limited(a, "ctrllimited", "ctrlrange") && list(a, "ctrlrange", 2, 2, values))
         actuator.low = values[0], actuator.high = values[1];
-    if (list(a, "forcerange", 2, 2, values) && is_limited(a, "forcelimited", "forcerange"))
+    if (is_limited(a, "forcelimited", "forcerange") && list(a, "forcerange", 2, 2, values))
         actuator.force_low = values[0], actuator.force_high = values[1];
     read_gains(a, actuator);
     if (actuator.low > actuator.high || actuator.force_low > actuator.force_high)
@@ -414,7 +428,8 @@ void Mjcf::read_pair_friction(const Attributes& a, ShapePair& pair)
     if (list(a, "friction", 1, 5, values))
         for (size_t i = 0; i < values.size(); ++i) its[i] = std::max(0.0, values[i]);
     double condim = 3;
-    number(a, "condim", condim);
+    if (number(a, "condim", condim) && condim != 1 && condim != 3 && condim != 4 && condim != 6)
+        reading_.error(a.element(), "pair condim is " + a.text("condim") + ", and there are 1 3 4 6");
     pair.dimensions = condim >= 6 ? 6 : condim >= 4 ? 4 : 3;
     pair.friction = condim == 1 ? 0 : its[0];
     pair.torsional_friction = its[2], pair.rolling_friction = its[3];
@@ -458,6 +473,28 @@ void Mjcf::read_mocap(const Element& element, Start& start)
             start.mocap[i].q = normalised({q[4 * i], q[4 * i + 1], q[4 * i + 2], q[4 * i + 3]});
 }
 
+// How many numbers a key has of what moves, and that a start pose begins at rest.
+void Mjcf::check_key(const Element& element)
+{
+    if (attached_.empty()) {
+        const auto is_filtered = [](const Actuator& its) {
+            return its.filter.kind != Activation::Kind::kNone || !its.activation.empty();
+        };
+        const size_t unread = actuators_ - std::min(actuators_, model_.actuators.size());
+        const auto filtered = std::count_if(model_.actuators.begin(), model_.actuators.end(), is_filtered);
+        reading_.check_count(element, "qvel", element.text("qvel"), size_t(number_of_velocities(model_)));
+        reading_.check_count(element, "ctrl", element.text("ctrl"), actuators_);
+        reading_.check_count(element, "act", element.text("act"), size_t(filtered) + unread);
+    }
+    for (const char* name : {"qvel", "act"}) {
+        std::vector<double> values;
+        reading_.numbers(element, element.text(name), name, 0, 1'000'000, values);
+        if (std::any_of(values.begin(), values.end(), [](double value) { return value != 0; }))
+            reading_.note_once(Note::kApproximated, element,
+                               std::string("key ") + name + ": start poses begin at rest");
+    }
+}
+
 void Mjcf::read_keys(const Element& section)
 {
     for (const Element& element : expand(section)) {
@@ -466,12 +503,13 @@ void Mjcf::read_keys(const Element& section)
         const size_t count = size_t(model_.coordinates);
         if (!element.has("qpos"))
             start.positions = reference_positions(model_);
-        else if (!reading_.numbers(element, element.text("qpos"), "qpos", count, count, start.positions))
+        else if (!reading_.numbers(element, element.text("qpos"), "qpos", 1, count, start.positions))
             continue;
-        if (attached_.empty()) {
-            reading_.check_count(element, "qvel", element.text("qvel"), size_t(number_of_velocities(model_)));
-            reading_.check_count(element, "ctrl", element.text("ctrl"), actuators_);
-        }
+        const std::vector<double> reference = reference_positions(model_);
+        start.positions.insert(start.positions.end(),
+                               reference.begin() + long(std::min(start.positions.size(), count)),
+                               reference.end());
+        check_key(element);
         parse_numbers(element.text("ctrl"), start.controls);
         read_mocap(element, start);
         model_.starts.push_back(start);

@@ -115,11 +115,14 @@ void Mjcf::read_own(const std::vector<Element>& children, const Scope& scope, In
         }
         if (name == "body" || name == "light" || name == "attach" || has_no_place(child)) continue;
         const Attributes attributes = defaults_.of(child, scope.childclass, reading_);
-        if (name == "inertial") {
+        const bool is_of_bodies = name == "inertial" || name == "joint" || name == "freejoint";
+        if (is_of_bodies && scope.link == 0) {
+            reading_.error(child, "<" + name + "> in the world, which has none");
+        } else if (name == "inertial") {
             read_inertial(attributes, scope.pose, *inertial);
-        } else if (name == "joint" && scope.link > 0) {
+        } else if (name == "joint") {
             read_joint(attributes, scope);
-        } else if (name == "freejoint" && scope.link > 0) {
+        } else if (name == "freejoint") {
             read_free_joint({child, nullptr}, scope);
         } else if (name == "geom") {
             read_geom(attributes, scope, of_geoms);
@@ -189,8 +192,12 @@ void Mjcf::read_site(const Attributes& a, const Scope& scope)
                                                         {"cylinder", ShapeKind::kCylinder},
                                                         {"ellipsoid", ShapeKind::kEllipsoid}};
     Frame frame{a.element().text("name"), scope.link, pose_of(a)};
-    const auto kind = kinds.find(a.text("type"));
-    if (kind != kinds.end()) frame.zone = kind->second;
+    const std::string type = a.has("type") ? a.text("type") : "sphere";
+    const auto kind = kinds.find(type);
+    if (kind != kinds.end())
+        frame.zone = kind->second;
+    else if (type != "sdf")
+        return reading_.error(a.element(), "a site of type " + type);
     std::vector<double> size{0.005, 0.005, 0.005}, ends;
     list(a, "size", 1, 3, size);
     size.resize(3, size.back());
@@ -264,6 +271,7 @@ void Mjcf::read_joint(const Attributes& a, const Scope& scope)
     Joint joint;
     joint.name = a.element().text("name"), joint.link = scope.link, joint.line = a.element().line();
     joint.kind = kind_of(type);
+    if (!fits_others(a, joint.kind, scope)) return;
     Vec axis{0, 0, 1}, anchor;
     vec(a, "axis", axis), vec(a, "pos", anchor);
     if (!(length(axis) > 1e-12 && length(axis) <= kMaxNumber))
@@ -279,6 +287,25 @@ void Mjcf::read_joint(const Attributes& a, const Scope& scope)
         if (a.has(soft)) reading_.note_once(Note::kApproximated, a.element(), std::string("joint ") + soft);
     model_.links[size_t(scope.link)].joints.push_back(int(model_.joints.size()));
     model_.joints.push_back(joint);
+}
+
+// As MuJoCo counts: at most six freedoms of a body, and what turns no more after a ball.
+bool Mjcf::fits_others(const Attributes& a, JointKind kind, const Scope& scope)
+{
+    int freedoms = kind == JointKind::kBall ? 3 : 1;
+    bool is_turned = false;
+    for (int other : model_.links[size_t(scope.link)].joints) {
+        const Joint& joint = model_.joints[size_t(other)];
+        freedoms += joint.kind == JointKind::kFree ? 6 : joint.kind == JointKind::kBall ? 3 : 1;
+        is_turned = is_turned || joint.kind == JointKind::kBall;
+    }
+    if (freedoms > 6)
+        reading_.error(a.element(), "the joints of a body have more than six freedoms");
+    else if (is_turned && kind != JointKind::kSlide)
+        reading_.error(a.element(), "a joint that turns, behind a ball of the same body");
+    else
+        return true;
+    return false;
 }
 
 void Mjcf::read_softness(const Attributes& a, const std::array<const char*, 2>& names, Softness& softness)
@@ -306,6 +333,8 @@ bool Mjcf::read_range(const Attributes& a, Joint& joint)
     if (number(a, "ref", joint.reference)) joint.reference = in_rad(joint.reference);
     if (number(a, "springref", joint.spring_reference))
         joint.spring_reference = in_rad(joint.spring_reference);
+    if (joint.kind == JointKind::kBall && joint.limited && joint.low != 0)
+        return reading_.error(a.element(), "the range of the ball '" + joint.name + "' begins at 0"), false;
     if (!joint.limited || joint.low <= joint.high) return true;
     reading_.error(a.element(), "joint '" + joint.name + "' has a range that ends before it begins");
     return false;
@@ -409,6 +438,8 @@ bool Mjcf::read_size(const Attributes& a, const std::string& type, Shape& shape)
     size.resize(3, 0);
     shape.size = {size[0], size[1], size[2]};
     if (list(a, "fromto", 6, 6, ends)) {
+        if (shape.kind == ShapeKind::kSphere || shape.kind == ShapeKind::kPlane)
+            return reading_.error(a.element(), "a " + type + " has no fromto"), false;
         const Vec from{ends[0], ends[1], ends[2]}, to{ends[3], ends[4], ends[5]};
         const double half = length(to - from) / 2;
         shape.pose = {0.5 * (from + to), turn_of_z(from - to)};
@@ -449,7 +480,8 @@ void Mjcf::read_friction(const Attributes& a, Shape& shape)
     if (list(a, "friction", 1, 3, values))
         for (size_t i = 0; i < values.size(); ++i) *all[i] = std::max(0.0, values[i]);
     double condim = 3;
-    number(a, "condim", condim);
+    if (number(a, "condim", condim) && condim != 1 && condim != 3 && condim != 4 && condim != 6)
+        reading_.error(a.element(), "geom condim is " + a.text("condim") + ", and there are 1 3 4 6");
     shape.dimensions = condim >= 6 ? 6 : condim >= 4 ? 4 : 3;
     if (condim == 1) shape.friction = 0;
     if (shape.dimensions == 4)

@@ -11,6 +11,11 @@ void Mjcf::read_closure(const Attributes& a, bool weld)
 {
     const Element& element = a.element();
     Closure closure;
+    const bool has_sites = element.has("site1") && element.has("site2");
+    const bool has_body = element.has("body1") && (weld || a.has("anchor"));
+    if (!has_sites && !has_body)
+        return reading_.error(element, std::string("<") + element.name() +
+                                           "> wants site1 and site2, or body1" + (weld ? "" : " and anchor"));
     closure.weld = weld, closure.name = element.text("name"), closure.line = element.line();
     if (element.has("site1") ? join_sites(element, closure) : join_bodies(a, closure))
         model_.closures.push_back(closure);
@@ -68,9 +73,10 @@ bool Mjcf::read_line(const Attributes& a, std::array<double, 2>& line, Coupling&
     line = {c[0], c[1]};
     if (c[2] == 0 && c[3] == 0 && c[4] == 0) return true;
     coupling.polynomial.assign(c.begin() + 2, c.end());
-    reading_.note(Note::kApproximated, a.element(),
-                  "an equality of joints that is no straight line: worlds hold its tangent at the reference, "
-                  "batches the curve");
+    reading_.note_once(
+        Note::kChanged, a.element(),
+        "equalities of joints that are no straight lines are followed where dRobotAddForces is "
+        "called before a step");
     return true;
 }
 
@@ -138,9 +144,22 @@ void Mjcf::read_tie(const Attributes& a, int one, int two)
                        "equalities of spatial tendons act where dRobotAddForces is called before a step");
 }
 
+// Whether it names one thing twice, which is equal to itself.
+bool Mjcf::names_one_twice(const Element& element)
+{
+    for (const auto& [one, two] :
+         {std::pair{"joint1", "joint2"}, {"tendon1", "tendon2"}, {"body1", "body2"}, {"site1", "site2"}})
+        if (element.has(one) && element.text(one) == element.text(two))
+            return reading_.error(element,
+                                  "<" + element.name() + "> of '" + element.text(one) + "' and itself"),
+                   true;
+    return false;
+}
+
 void Mjcf::read_equalities(const Element& section)
 {
     for (const Element& element : expand(section)) {
+        if (names_one_twice(element)) continue;
         const Attributes a = defaults_.of(element, "", reading_);
         const std::string kind = element.name();
         if (a.text("active") == "false")

@@ -2,10 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 #include "robots/read/mjcf_names.h"
 
-#include <algorithm>
-#include <array>
-
 #include "robots/read/counts.h"
+#include "robots/read/mjcf_values.h"
 
 namespace epode::robots {
 
@@ -41,20 +39,6 @@ constexpr Row kOlder[] = {
 {"sensor/user", "needstage"},
 };
 // clang-format on
-
-using Words = std::set<std::string>;
-
-Words words_of(const std::string& text)
-{
-    Words out;
-    size_t begin = 0;
-    while (begin < text.size()) {
-        const size_t end = std::min(text.find(' ', begin), text.size());
-        if (end > begin) out.insert(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return out;
-}
 
 template <size_t N>
 std::map<std::string, Words> table_of(const Row (&rows)[N])
@@ -98,55 +82,6 @@ Words elements_in(const std::string& path)
     return out;
 }
 
-// Values that an attribute of some element must have, where another one would mean something else than MuJoCo's refusal.
-const std::string* keywords_of(const std::string& element, const std::string& attribute)
-{
-    static const std::string shapes = "plane hfield sphere capsule ellipsoid cylinder box mesh sdf",
-                             switches = "false true", limits = "false true auto", flags = "disable enable";
-    static const std::map<std::string, std::string> table{{"joint type", "free ball slide hinge"},
-                                                          {"geom type", shapes},
-                                                          {"site type", shapes},
-                                                          {"compiler angle", "radian degree"},
-                                                          {"compiler autolimits", switches},
-                                                          {"compiler inertiafromgeom", limits},
-                                                          {"body mocap", switches},
-                                                          {"mesh inertia", "convex exact legacy shell"}};
-    static const std::set<std::string> limited{"limited", "ctrllimited", "forcelimited", "actlimited",
-                                               "actuatorfrclimited"};
-    if (element == "flag") return &flags;
-    if (limited.count(attribute)) return &limits;
-    const auto found = table.find(element + " " + attribute);
-    return found == table.end() ? nullptr : &found->second;
-}
-
-// How many letters must be changed, added or left out.
-size_t distance(const std::string& a, const std::string& b)
-{
-    std::vector<size_t> row(b.size() + 1);
-    for (size_t k = 0; k <= b.size(); ++k) row[k] = k;
-    for (size_t i = 1; i <= a.size(); ++i) {
-        size_t before = row[0];
-        row[0] = i;
-        for (size_t k = 1; k <= b.size(); ++k) {
-            const size_t changed = before + (a[i - 1] != b[k - 1]);
-            before = row[k];
-            row[k] = std::min({changed, row[k] + 1, row[k - 1] + 1});
-        }
-    }
-    return row[b.size()];
-}
-
-std::string advice(const std::string& wrong, const Words& words)
-{
-    constexpr size_t kLongest = 60;
-    std::string best;
-    size_t least = wrong.size() / 2 + 1;
-    if (wrong.size() <= kLongest)
-        for (const std::string& word : words)
-            if (const size_t its = distance(wrong, word); its < least) least = its, best = word;
-    return best.empty() ? "" : "; did you mean '" + best + "'?";
-}
-
 // Of what its name is the name; empty: of nothing that may be named once only.
 std::string named_kind(const std::string& path)
 {
@@ -161,6 +96,15 @@ std::string named_kind(const std::string& path)
         if (path.starts_with(section) && path.find('/', path.find('/') + 1) == std::string::npos)
             return std::string(section, path.find('/'));
     return own.count(path) ? path.substr(path.find('/') + 1) : "";
+}
+
+// Meshes and textures without a name are called as their files.
+std::string name_of_asset(const Element& element, const std::string& path)
+{
+    const bool may_lack = path == "asset/mesh" || path == "asset/texture" || path == "asset/hfield";
+    if (!may_lack || element.has("name")) return element.text("name");
+    const std::string file = element.text("file"), last = file.substr(file.find_last_of("/\\") + 1);
+    return last.substr(0, last.rfind('.'));
 }
 
 }  // namespace
@@ -193,25 +137,14 @@ void MjcfNames::check_attributes(const Element& element, const std::string& path
     }
 }
 
-void MjcfNames::check_keywords(const Element& element)
-{
-    for (const pugi::xml_attribute& attribute : element.node.attributes()) {
-        const std::string* const keywords = keywords_of(element.name(), attribute.name());
-        const std::string value = attribute.value();
-        if (!keywords) continue;
-        const Words known = words_of(*keywords);
-        if (!known.count(value))
-            reading_.error(element, "<" + element.name() + "> " + attribute.name() + " is '" +
-                                        value.substr(0, 60) + "', and there are " + *keywords +
-                                        advice(value, known));
-    }
-}
-
 void MjcfNames::check_name(const Element& element, const std::string& path)
 {
-    std::string kind = named_kind(path);
-    const std::string name = element.text("name");
+    const std::string kind = named_kind(path), name = name_of_asset(element, path);
     if (kind.empty() || name.empty() || (path == "body" && element.name() != "body")) return;
+    references_.add_name(kind, name);
+    if (!element.has("name")) return;
+    if (path == "body" && name == "world")
+        return reading_.error(element, "a body is called 'world', as what bodies stand in");
     const auto [it, is_new] = lines_[kind].try_emplace(name, element.line());
     if (!is_new)
         reading_.error(element, "the name '" + name.substr(0, 60) + "' of a " + kind +
@@ -220,11 +153,13 @@ void MjcfNames::check_name(const Element& element, const std::string& path)
 
 void MjcfNames::check(const Element& element, const std::string& path)
 {
-    check_attributes(element, path);
-    check_keywords(element);
-    check_mjcf_counts(element, reading_);
     check_name(element, path);
     if (path.starts_with("body/composite")) return;
+    check_attributes(element, path);
+    check_mjcf_values(element, path, reading_);
+    check_mjcf_counts(element, reading_);
+    references_.note(element, path);
+    user_data_.note(element, path, reading_);
     const Words known = elements_in(path);
     for (const Element& child : element.children()) {
         const std::string name = child.name();
@@ -236,6 +171,12 @@ void MjcfNames::check(const Element& element, const std::string& path)
                                       (path.empty() ? "mujoco" : element.name().substr(0, 40)) + ">" +
                                       advice(name, known));
     }
+}
+
+void MjcfNames::judge(const std::vector<std::string>& begins)
+{
+    references_.judge(begins, reading_);
+    user_data_.judge(reading_);
 }
 
 }  // namespace epode::robots

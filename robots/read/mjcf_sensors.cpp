@@ -32,7 +32,8 @@ void Mjcf::read_sensor(const Element& element)
     sensor.object_type = sensor.attribute == "site" ? "site" : element.text("objtype");
     sensor.is_on_child = sensor.kind == "force" || sensor.kind == "torque";
     sensor.reference = element.text("refname"), sensor.reference_type = element.text("reftype");
-    reading_.number(element, "cutoff", sensor.cutoff);
+    if (reading_.number(element, "cutoff", sensor.cutoff) && sensor.cutoff < 0)
+        reading_.error(element, "<" + sensor.kind + "> cutoff is below 0");
     if (values_of_geom_sensor(sensor.kind) && !find_sensed_geoms(element, sensor)) return;
     if (sensor.kind == "insidesite") sensor.reference = element.text("site"), sensor.reference_type = "site";
     model_.sensors.push_back(sensor);

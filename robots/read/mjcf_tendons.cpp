@@ -36,9 +36,15 @@ void Mjcf::read_terms(const Element& element, Tendon& tendon)
         if (term.joint < 0 || !model_.joints[size_t(term.joint)].is_scalar())
             reading_.error(joint, "the tendon '" + tendon.name + "' names '" + joint.text("joint") +
                                       "', which is no hinge or slider");
+        else if (std::any_of(tendon.terms.begin(), tendon.terms.end(),
+                             [&](const Coupling::Term& other) { return other.joint == term.joint; }))
+            reading_.error(joint,
+                           "the tendon '" + tendon.name + "' names '" + joint.text("joint") + "' twice");
         else
             tendon.terms.push_back(term);
     }
+    if (element.children("joint").empty())
+        reading_.error(element, "the tendon '" + tendon.name + "' names no joint");
 }
 
 // False and an error of what no tendon can go round.
@@ -90,7 +96,7 @@ void Mjcf::read_tendon(const Attributes& a, Tendon& tendon)
 {
     const Element& element = a.element();
     std::vector<double> range;
-    if (list(a, "range", 2, 2, range) && is_limited(a, "limited", "range"))
+    if (is_limited(a, "limited", "range") && list(a, "range", 2, 2, range))
         tendon.low = range[0], tendon.high = range[1];
     if (tendon.low > tendon.high)
         reading_.error(element, "the tendon '" + tendon.name + "' has a range that ends before it begins");

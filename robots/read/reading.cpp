@@ -71,6 +71,14 @@ void Reading::check_count(const Element& element, const std::string& attribute, 
                        std::to_string(count));
 }
 
+void Reading::check_numbers(const Element& element, const std::string& attribute, const std::string& text)
+{
+    std::vector<double> values;
+    if (text.empty() || noted_.count(attribute + text) || parse_numbers(text, values)) return;
+    noted_.insert(attribute + text);
+    error(element, element.name() + " " + attribute + " = " + shown(text) + ", wanted finite numbers");
+}
+
 bool Reading::number(const Element& element, const char* attribute, double& out)
 {
     std::vector<double> values;

@@ -51,6 +51,8 @@ class Reading {
     // An error where there are more numbers; `numbers` says nothing of them again.
     void check_count(const Element& element, const std::string& attribute, const std::string& text,
                      size_t limit);
+    // An error where there is anything but numbers; `numbers` says nothing of it again.
+    void check_numbers(const Element& element, const std::string& attribute, const std::string& text);
     bool number(const Element& element, const char* attribute, double& out);
     bool vec(const Element& element, const char* attribute, Vec& out);
 

@@ -51,13 +51,32 @@ TEST(Gazebo, friction_is_that_of_the_first_direction)
     EXPECT_TRUE(has_note(two, Note::kApproximated, "both directions"));
     EXPECT_TRUE(has_note(two, Note::kApproximated, "link kp: contacts are rigid"));
     EXPECT_EQ(read("<gazebo reference='one'><mu1 value='0.4'/></gazebo>").links[1].shapes[0].friction, 0.4);
-    for (const char* broken :
-         {"<mu1>-1</mu1>", "<mu1>slippery</mu1>", "<mu1/>", "<mu1>1 2</mu1>", "<mu1>nan</mu1>"}) {
-        const RobotModel model = read(std::string("<gazebo reference='one'>") + broken + "</gazebo>");
-        EXPECT_FALSE(model.has_errors()) << broken;
-        EXPECT_TRUE(has_note(model, Note::kIgnored, "<mu1> in <gazebo>")) << broken;
-        EXPECT_EQ(model.links[1].shapes[0].friction, 1) << broken;
+    const RobotModel negative = read("<gazebo reference='one'><mu1>-1</mu1></gazebo>");
+    EXPECT_TRUE(has_note(negative, Note::kIgnored, "<mu1> in <gazebo>"));
+    EXPECT_EQ(negative.links[1].shapes[0].friction, 1);
+}
+
+// A slip is refused with what is wanted, as it is outside of <gazebo>.
+TEST(Gazebo, broken_values_are_errors)
+{
+    const char* const wrong[][2] = {
+        {"<mu1>slippery</mu1>", "<mu1> in <gazebo> is 'slippery', wanted 1 finite number"},
+        {"<mu1/>", "wanted 1 finite number"},
+        {"<mu1>1 2</mu1>", "wanted 1 finite number"},
+        {"<mu1>nan</mu1>", "wanted 1 finite number"},
+        {"<kp>stiff</kp>", "<kp> in <gazebo> is 'stiff'"},
+        {"<turnGravityOff>maybe</turnGravityOff>", "is 'maybe', wanted true or false"},
+        {"<selfCollide/>", "wanted true or false"},
+        {"<sensor name='s' type='imu'><pose>1 2</pose></sensor>", "wanted 6 finite numbers"}};
+    for (const auto& [text, why] : wrong) {
+        const RobotModel model = read(std::string("\n<gazebo reference='one'>") + text + "</gazebo>");
+        ASSERT_TRUE(model.has_errors()) << text;
+        EXPECT_TRUE(has_note(model, Note::kError, why)) << text << model.report.back().text;
+        EXPECT_EQ(model.report.back().line, 2);
     }
+    EXPECT_TRUE(has_note(read("<gazebo reference='slide'><springStiffness>x</springStiffness></gazebo>"),
+                         Note::kError, "<springStiffness>"));
+    EXPECT_TRUE(read("<gazebo reference='one'><gravity> 0 </gravity></gazebo>").links[1].is_weightless);
 }
 
 // The upper box is weightless: the lower falls by g t^2 / 2 and the upper stays, to the step's first order.
@@ -159,10 +178,6 @@ TEST(Gazebo, what_is_not_read_is_reported_by_name)
         EXPECT_TRUE(has_note(model, Note::kIgnored, text)) << text;
     EXPECT_EQ(model.report.size(), 5u);
     EXPECT_EQ(model.sensors.size(), 2u);
-    const RobotModel askew =
-        read("<gazebo reference='one'><sensor name='s' type='imu'><pose>1 2</pose></sensor></gazebo>");
-    EXPECT_FALSE(askew.has_errors());
-    EXPECT_TRUE(has_note(askew, Note::kIgnored, "<pose> in <gazebo>"));
 }
 
 TEST(Gazebo, weightless_links_are_written_in_both_formats)

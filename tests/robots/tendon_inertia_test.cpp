@@ -125,8 +125,8 @@ TEST(TendonInertiaFiles, are_written_and_read_again_and_refuse_negative_numbers)
         EXPECT_EQ(differences(model, load_robot_text("robot.xml", write_mjcf(model, ".").text)),
                   std::vector<std::string>{});
     }
-    const RobotModel broken =
-        load_robot_text("robot.xml", hung("\n<fixed name='t' frictionloss='-1'><joint joint='z'/></fixed>"));
+    const RobotModel broken = load_robot_text(
+        "robot.xml", hung("\n<fixed name='t' frictionloss='-1'><joint joint='z' coef='1'/></fixed>"));
     ASSERT_TRUE(broken.has_errors());
     EXPECT_EQ(broken.report.back().line, 2);
     EXPECT_EQ(broken.report.back().text, "the tendon 't' has a negative frictionloss or armature");
