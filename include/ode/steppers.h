@@ -41,7 +41,7 @@ typedef enum {
     answer is 0. */
 
 /** Advances the world by stepsize, s, and chooses the solver of each island. Everything else is as in
-    dWorldStep. Returns 1. Refused: a stepsize that dWorldStep would refuse; a call during a step. [ours] */
+    dWorldStep. Returns 1. Refused: a stepsize that is not positive; a call during a step. [ours] */
 ODE_API int dWorldStepHybrid(dWorldID world, dReal stepsize);
 
 /** - dWorldSetHybridStepper: Set how hybrid steps solve islands none of whose bodies requests a stepper;
@@ -85,7 +85,7 @@ ODE_API dReal dWorldGetHybridBudget(dWorldID world);
     dStepperSubstepsExactJoints. Writes to steps_made, unless it is 0, how many steps each world has made: a
     world that finds no memory stops, the others go on. Returns how many have made them all. Refused, with
     no world changed: worlds that are 0, destroyed, in a step or in the array twice; a null array with a
-    count above 0; another stepper; other numbers; a stepsize that dWorldStep would refuse. [ours] */
+    count above 0; another stepper; other numbers; a stepsize that is not positive. [ours] */
 ODE_API int dWorldsStep(const dWorldID* worlds, int count, dReal stepsize, int stepper, int iterations,
                         int steps, int threads, int* steps_made);
 

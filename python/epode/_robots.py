@@ -108,6 +108,32 @@ class Robots:
         """``Robot.jacobian`` of each robot: (robots, 6, velocities)."""
         return self._each(lambda robot: robot.jacobian(frame, point))
 
+    def mass_matrix(self) -> FloatArray:
+        """``Robot.mass_matrix`` of each robot: (robots, velocities, velocities)."""
+        return self._each(lambda robot: robot.mass_matrix())
+
+    def bias_forces(self) -> FloatArray:
+        """A row of ``Robot.bias_forces`` for each robot."""
+        return self._each(lambda robot: robot.bias_forces())
+
+    def apply(self, forces: ArrayLike) -> None:
+        """``Robot.apply`` to each robot: a row for each, or one for all."""
+        for robot, row in zip(self._robots, self._rows(forces, self.model.velocity_count)):
+            robot.apply(row)
+
+    @property
+    def actuator_forces(self) -> FloatArray:
+        """A row of ``Robot.actuator_forces`` for each robot."""
+        return self._each(lambda robot: robot.actuator_forces)
+
+    activations: Value[FloatArray, ArrayLike] = Value(
+        lambda self: self._each(lambda robot: robot.activations), lambda self, value: self._set_activations(value),
+        doc="A row of ``Robot.activations`` for each robot.")
+
+    def _set_activations(self, value: ArrayLike) -> None:
+        for robot, row in zip(self._robots, self._rows(value, len(self.model.actuators))):
+            robot.activations = row
+
     @property
     def sensors(self) -> dict[str | int, FloatArray]:
         """``Robot.sensors`` with a row for each robot."""

@@ -30,6 +30,7 @@ from ._handle import FloatArray
 from ._geom_names import names_of
 from ._poses import _moved, _number, _product, _quaternion, _turned, _unknown, _vector
 from ._robots import Robots as Robots
+from ._xacro import expanded, is_xacro
 from ._robot_data import (Actuator as Actuator, Camera as Camera, Link as Link, ModelJoint as ModelJoint, Note as Note, Options as Options,
                           Path as Path, Picture as Picture, RobotContact as RobotContact, Sensor as Sensor, Solution as Solution, Target as Target,
                           Touch as Touch)
@@ -61,17 +62,23 @@ def _read(path: Path, text: str | None, options: Options) -> _RobotModel:
 
 def check(path: Path, **options: typing.Unpack[Options]) -> list[Note]:
     """The report of a file, a list of ``Note``, whether it has errors or not. Options as for ``load``."""
-    return [Note(*line) for line in _read(path, None, options).report]
+    return [Note(*line) for line in _read(path, _text_of(path), options).report]
+
+
+def _text_of(path: Path) -> str | None:
+    """Of a xacro file what it becomes; None: the library reads the file."""
+    return expanded(os.fspath(path)) if is_xacro(os.fspath(path)) else None
 
 
 def load(path: Path, **options: typing.Unpack[Options]) -> Model:
-    """Read a URDF or MJCF file. What makes it unusable raises RefusedError; the rest is in the model's ``report``.
+    """Read a URDF or MJCF file, or a .xacro file where the package xacro is installed. What makes it unusable raises RefusedError; the rest is in the model's ``report``.
 
     strict: what is approximated or ignored is an error. keep_fixed: links that are fixed to others stay links. fixed_base:
     the root of a URDF is fixed to the world. repair: inertias that no body can have are mended. inertia_from_shapes: links
     without an inertial get that of their shapes. meshes_as_triangles: not as their convex hulls. meshes_as_parts: as
     several hulls each (``epode.decompose``). missing_mass: of other moving links without an inertial, kg. roots: more folders that may be read."""
-    return Model(_read(path, None, options), (os.path.abspath(path), None, options))
+    text = _text_of(path)
+    return Model(_read(path, text, options), (os.path.abspath(path), text, options))
 
 
 def from_text(text: str, path: Path = "robot.xml", **options: typing.Unpack[Options]) -> Model:
@@ -761,6 +768,11 @@ class Robot:
     def drive_forces(self) -> FloatArray:
         """What springs, dampers and actuators have exerted in the last step: a number, N or N m, for each velocity."""
         return self._live.drive_forces()
+
+    @property
+    def forces(self) -> FloatArray:
+        """``drive_forces``, as ``Robots.forces`` has them."""
+        return self.drive_forces
 
     def imu(self, frame: str, pose: ArrayLike | None = None) -> tuple[FloatArray, FloatArray]:
         """The specific force, m/s^2 (at rest 9.81 upwards), and the angular velocity, rad/s, at a frame, in its axes. pose:

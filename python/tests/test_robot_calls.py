@@ -162,6 +162,38 @@ def test_steps_let_tendons_and_filters_act_and_measure():
     assert many.sensors["felt"].shape == (2, 3) and many.sensor("felt")[1] == pytest.approx(by_itself.sensor("felt"))
 
 
+def test_many_have_what_one_has():
+    model = epode.robot.from_text(MUSCLE)
+    many = epode.Robots([model.build(start=[0.1 * i] * model.position_count) for i in range(3)])
+    many.controls = [3]
+    many.activations = [[1], [2], [0.5]]
+    many.step(0.002, steps=5)
+    for name in ("forces", "activations", "actuator_forces", "positions", "velocities", "poses"):
+        assert np.array_equal(getattr(many, name), [getattr(robot, name) for robot in many])
+    for name in ("mass_matrix", "bias_forces"):
+        assert np.array_equal(getattr(many, name)(), [getattr(robot, name)() for robot in many])
+    assert np.array_equal(many[0].forces, many[0].drive_forces)
+    forces = np.arange(3 * model.velocity_count, dtype=float).reshape(3, -1)
+    pushed, by_one = (pickle.loads(pickle.dumps(many)) for _ in range(2))
+    pushed.apply(forces)
+    for robot, its in zip(by_one, forces):
+        robot.apply(its)
+    pushed.step(0.002)
+    by_one.step(0.002)
+    assert np.array_equal(pushed.velocities, by_one.velocities) and not np.array_equal(pushed.velocities, many.velocities)
+    with pytest.raises(ValueError, match="an array"):
+        many.apply([1, 2, 3, 4])
+
+
+def test_a_refused_step_says_what_is_wrong_without_functions_of_c():
+    world = epode.World()
+    for h in (-0.1, 0, np.nan, np.inf):
+        for call in (lambda: world.step(h), lambda: epode.step_worlds([world], h)):
+            with pytest.raises(epode.RefusedError) as caught:
+                call()
+            assert "dWorld" not in str(caught.value) and f"h={h}" in str(caught.value)
+
+
 @pytest.mark.parametrize("preset", ["ode", "game", "robot"])
 def test_many_step_with_the_bits_of_one(preset):
     for text in (MUSCLE, CRATE.replace('pos="0 0 0.1"', 'pos="0 0 0.3" euler="20 10 0"')):
