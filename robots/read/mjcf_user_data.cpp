@@ -38,18 +38,19 @@ void MjcfUserData::note(const Element& element, const std::string& path, Reading
     if (limit.empty() || !element.has("user")) return;
     std::vector<double> values;
     reading.numbers(element, element.text("user"), "user", 0, 1'000'000, values);
-    Most& most = most_[limit];
-    if (values.size() > most.count) most = {element, values.size()};
+    Largest& largest = largest_[limit];
+    if (values.size() > largest.count) largest = {element, values.size()};
 }
 
 void MjcfUserData::judge(Reading& reading) const
 {
-    for (const auto& [kind, most] : most_)
+    for (const auto& [kind, largest] : largest_)
         if (const auto limit = limits_.find(kind);
-            limit != limits_.end() && limit->second >= 0 && double(most.count) > limit->second)
-            reading.error(most.element, "<" + most.element.name() + "> user has " +
-                                            std::to_string(most.count) + " numbers, and <size> " + kind +
-                                            " is " + std::to_string(int(std::min(limit->second, 1e9))));
+            limit != limits_.end() && limit->second >= 0 && double(largest.count) > limit->second)
+            reading.error(largest.element, "<" + largest.element.name() + "> user has " +
+                                               std::to_string(largest.count) + " numbers, and <size> " +
+                                               kind + " is " +
+                                               std::to_string(int(std::min(limit->second, 1e9))));
 }
 
 }  // namespace epode::robots

@@ -19,13 +19,13 @@ class MjcfUserData {
     void judge(Reading& reading) const;
 
   private:
-    struct Most {
+    struct Largest {
         Element element;
         size_t count = 0;
     };
 
-    std::map<std::string, Most> most_;      // by the attribute of <size>
-    std::map<std::string, double> limits_;  // -1: none
+    std::map<std::string, Largest> largest_;  // by the attribute of <size>
+    std::map<std::string, double> limits_;    // -1: none
 };
 
 }  // namespace epode::robots

@@ -94,12 +94,12 @@ TEST_F(BendsInWorlds, follow_the_curve_wherever_they_go)
 {
     for (const char* curve : kCurves) {
         make(curve);
-        double most = 0;
+        double worst = 0;
         for (int i = 0; i < 2000; ++i) {
             step(1, 0.001);
-            if (i > 0) most = std::max(most, std::fabs(error()));
+            if (i > 0) worst = std::max(worst, std::fabs(error()));
         }
-        EXPECT_LT(most, fine(1e-4, 1e-3)) << curve;
+        EXPECT_LT(worst, fine(1e-4, 1e-3)) << curve;
         EXPECT_GT(std::fabs(velocities()[0]) + std::fabs(velocities()[1]), 1e-3) << curve;  // it moves
     }
 }
