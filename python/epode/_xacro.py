@@ -46,8 +46,8 @@ def _packages_of(path: str, its: Any) -> Iterator[None]:
         while above[-1] != os.path.dirname(above[-1]):
             above.append(os.path.dirname(above[-1]))
         named = [one for one in above if os.path.basename(one) == name]
-        beside = [os.path.join(one, name) for one in [*above, *os.environ.get("ROS_PACKAGE_PATH", "").split(os.pathsep)] if one]
-        for folder in [*named, *beside]:
+        nearby = [os.path.join(one, name) for one in [*above, *os.environ.get("ROS_PACKAGE_PATH", "").split(os.pathsep)] if one]
+        for folder in [*named, *nearby]:
             if os.path.isdir(folder):
                 return folder
         raise RefusedError(f"there is no package {name!r} above {path} or in ROS_PACKAGE_PATH")
