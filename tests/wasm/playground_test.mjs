@@ -113,6 +113,32 @@ test('the arm goes where its sliders say, and a slider is taken as it runs', () 
     assert.ok(Math.abs(joint('turn') - 1.2) < 0.05, `turned to ${joint('turn')}`);
 }));
 
+test('a robot with actuators has a slider a joint, too, which puts it there as it runs', async () => {
+    const before = {...robot};
+    choose(engine);
+    const labels = Object.entries(robot.sliders).filter(([name]) => name[0] === 'p').map(([, {label}]) => label);
+    assert.deepEqual(labels, ['turn, rad', 'shoulder, rad', 'elbow, rad', 'wrist, rad', 'left, m', 'right, m']);
+    with_scene('robot', {}, simulation => {
+        const {robot: arm} = simulation.hooks, joint = arm.model.findJoint('elbow'), {position} = arm.model.joints[joint];
+        run(simulation, 0.5);
+        const rates = [...arm.velocities];
+        assert.ok(simulation.set(`p${joint}`, 0.4));
+        assert.ok(Math.abs(arm.positions[position] - 0.4) < 1e-6);
+        rates.forEach((rate, i) => assert.ok(Math.abs(arm.velocities[i] - rate) < 1e-4, `rate ${i}`));
+        assert.ok(is_sound(run(simulation, 0.5)));
+    });
+    Object.assign(robot, before);
+    messages.splice(0);
+});
+
+test('a push gives a body the momentum of its mass at a speed, and turns it about its centre', () => with_scene('wall', {}, simulation => {
+    const [body] = simulation.bodies, {mass, inertia} = body.massProperties, before = [...body.linearVelocity], point = body.position.map((x, k) => x + [0, 0.1, 0.2][k]);
+    simulation.push(body, point, [2, 0, 0], 1.5);
+    assert.ok(Math.abs(body.linearVelocity[0] - before[0] - 1.5) < 1e-5);
+    const w = body.vectorFromWorld(body.angularVelocity), moment = [0, 3, 6].map(row => inertia.slice(row, row + 3).reduce((sum, x, k) => sum + x * w[k], 0));
+    body.vectorToWorld(moment).forEach((x, k) => assert.ok(Math.abs(x - mass * 1.5 * [0, 0.2, -0.1][k]) < 1e-3 * mass, `${k}: ${x}`));
+}));
+
 test('a robot of a URDF without actuators gets a slider a joint, stands on the floor, and its meshes are found without their folders', async () => {
     const before = {...robot}, files = with_aliases(new Map([['arm.urdf', await read('arm.urdf')], ['cube.stl', await read('meshes/cube.stl')]]));
     assert.deepEqual([...files.keys()], ['arm.urdf', 'cube.stl', 'models/meshes/cube.stl']);

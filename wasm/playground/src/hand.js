@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The pointer in the picture: it pulls the body under it, in the plane that faces the eye; elsewhere it turns the view, and a double
+// The pointer in the picture: it pulls the body under it, in the plane that faces the eye, and with shift pushes it away; elsewhere it turns the view, and a double
 // click throws a ball there.
 import {Plane, Raycaster, Vector2, Vector3} from 'three';
 
-const kBallSpeed = 18;
+const kBallSpeed = 18, kPushSpeed = 1;  // m/s
 
 export class Hand {
     constructor(show) {
@@ -32,6 +32,11 @@ export class Hand {
     take(event) {
         const {stage, simulation, canvas} = this.show, {carrier, point} = stage.hit(...this.place(event)), body = simulation.bodies[carrier];
         if (event.button !== 0 || !body || body.kinematic) return;
+        if (event.shiftKey) {
+            event.stopPropagation();
+            simulation.push(body, [point.x, point.y, point.z], this.ray(...this.place(event)).direction.toArray(), kPushSpeed);
+            return;
+        }
         const toward = stage.camera.getWorldDirection(new Vector3());
         this.plane = new Plane().setFromNormalAndCoplanarPoint(toward, point);
         simulation.grab(body, [point.x, point.y, point.z]);

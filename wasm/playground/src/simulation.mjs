@@ -94,6 +94,16 @@ export class Simulation {
         this.hand = {body: hand, held: body};
     }
 
+    // A blow at a point (world frame) that gives the body's mass a speed, m/s, along a direction.
+    push(body, point, direction, speed) {
+        const {mass, inertia} = body.massProperties, size = Math.hypot(...direction), p = direction.map(x => mass * speed * x / size);
+        const arm = body.position.map((x, k) => point[k] - x), turn = body.vectorFromWorld(cross(arm, p));
+        const w = body.vectorToWorld(solved(inertia, turn));
+        body.enabled = true;
+        body.linearVelocity = body.linearVelocity.map((x, k) => x + p[k] / mass);
+        body.angularVelocity = body.angularVelocity.map((x, k) => x + w[k]);
+    }
+
     move_hand(point) {
         if (!this.hand) return;
         this.hand.body.position = point;
@@ -110,6 +120,14 @@ export class Simulation {
         this.hooks.destroy?.();
         this.world.destroy();
     }
+}
+
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+
+// I x = b of a symmetric matrix of nine numbers, by Cramer's rule.
+function solved(I, b) {
+    const rows = [0, 3, 6].map(row => I.slice(row, row + 3)), [x, y, z] = [cross(rows[1], rows[2]), cross(rows[2], rows[0]), cross(rows[0], rows[1])];
+    return [0, 1, 2].map(k => (x[k] * b[0] + y[k] * b[1] + z[k] * b[2]) / dot(rows[0], x));
 }
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

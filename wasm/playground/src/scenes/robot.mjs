@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // A robot from files: an arm at first, then what the visitor drops on the page. choose() reads it and gives the scene its sliders: one for
-// each actuator of MJCF, or for each hinge and slider of a robot of URDF (whose transmissions are torques without a range) or without actuators.
+// each actuator of MJCF and each joint, or for each hinge and slider of a robot of URDF (whose transmissions are torques without a range) or without actuators.
 import {slider} from './slider.mjs';
 
 const kArm = `<mujoco model="arm">
@@ -78,10 +78,16 @@ function is_urdf() {
 }
 const has_controls = model => model.actuators.length > 0 && !is_urdf();
 
+// A hinge or slider is put where its slider says, and goes on from there; at first it is where the robot begins.
+const places_of = model => driven_joints(model).map(({name, kind, low, high, position, i}) => {
+    const full = kind === 'hinge' ? Math.PI : 1, begin = model.reference[position];
+    return [`p${i}`, of_range(name || `joint ${i}`, Number.isFinite(low) ? low : begin - full, Number.isFinite(high) ? high : begin + full, begin, kind === 'hinge' ? 'rad' : 'm')];
+});
+
 // The mean of the range for a position actuator's control would move the robot at once: controls begin at 0, joints where they are.
 function sliders_of(model) {
     const rows = has_controls(model)
-        ? model.actuators.map(({name, low, high}, i) => [`u${i}`, of_range(name || `actuator ${i}`, low, high, 0)])
+        ? [...model.actuators.map(({name, low, high}, i) => [`u${i}`, of_range(name || `actuator ${i}`, low, high, 0)]), ...places_of(model)]
         : driven_joints(model).map(({name, kind, low, high, position, i}) => {
             const full = kind === 'hinge' ? Math.PI : 1, begin = model.reference[position];
             return [`q${i}`, of_range(name, Number.isFinite(low) ? low : begin - full, Number.isFinite(high) ? high : begin + full, begin, kind === 'hinge' ? 'rad' : 'm')];
@@ -138,8 +144,19 @@ export const robot = {
         world.geoms.forEach(geom => kit.colored(geom, color_of(geom, made)));
         if (!own_floor) kit.floor();
         const set = {};
-        for (const name of Object.keys(robot.sliders)) {
+        const put = (i, value) => {
+            const {positions, velocities} = made, joint = model.joints[i];
+            positions[joint.position] = value;
+            made.positions = positions;
+            made.velocities = velocities;
+        };
+        for (const [name, {value: first}] of Object.entries(robot.sliders)) {
             const i = Number(name.slice(1));
+            if (name[0] === 'p') {
+                set[name] = value => put(i, value);
+                if (values[name] !== first) put(i, values[name]);
+                continue;
+            }
             set[name] = drive ? value => made.setTarget(i, value, drive(i)) : value => made.setControl(i, value);
             set[name](values[name]);
         }
