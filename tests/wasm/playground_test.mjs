@@ -131,9 +131,9 @@ test('a robot with actuators has a slider a joint, too, which puts it there as i
     messages.splice(0);
 });
 
-test('a push gives a body the momentum of its mass at a speed, and turns it about its centre', () => with_scene('wall', {}, simulation => {
+test('a blow gives a body the momentum of its mass at a speed, and turns it about its centre', () => with_scene('wall', {}, simulation => {
     const [body] = simulation.bodies, {mass, inertia} = body.massProperties, before = [...body.linearVelocity], point = body.position.map((x, k) => x + [0, 0.1, 0.2][k]);
-    simulation.push(body, point, [2, 0, 0], 1.5);
+    simulation.strike(body, point, [2, 0, 0], 1.5);
     assert.ok(Math.abs(body.linearVelocity[0] - before[0] - 1.5) < 1e-5);
     const w = body.vectorFromWorld(body.angularVelocity), moment = [0, 3, 6].map(row => inertia.slice(row, row + 3).reduce((sum, x, k) => sum + x * w[k], 0));
     body.vectorToWorld(moment).forEach((x, k) => assert.ok(Math.abs(x - mass * 1.5 * [0, 0.2, -0.1][k]) < 1e-3 * mass, `${k}: ${x}`));

@@ -34,7 +34,7 @@ export class Hand {
         if (event.button !== 0 || !body || body.kinematic) return;
         if (event.shiftKey) {
             event.stopPropagation();
-            simulation.push(body, [point.x, point.y, point.z], this.ray(...this.place(event)).direction.toArray(), kPushSpeed);
+            simulation.strike(body, [point.x, point.y, point.z], this.ray(...this.place(event)).direction.toArray(), kPushSpeed);
             return;
         }
         const toward = stage.camera.getWorldDirection(new Vector3());

@@ -95,7 +95,7 @@ export class Simulation {
     }
 
     // A blow at a point (world frame) that gives the body's mass a speed, m/s, along a direction.
-    push(body, point, direction, speed) {
+    strike(body, point, direction, speed) {
         const {mass, inertia} = body.massProperties, size = Math.hypot(...direction), p = direction.map(x => mass * speed * x / size);
         const arm = body.position.map((x, k) => point[k] - x), turn = body.vectorFromWorld(cross(arm, p));
         const w = body.vectorToWorld(solved(inertia, turn));
