@@ -2669,8 +2669,9 @@ extern "C" {
     /// Create a relation between joints that has no axes yet, in the world, in the group or alone.
     pub fn dJointCreateCoupling(world: dWorldID, group: dJointGroupID) -> dJointID;
     /// Let the position of an axis count factor times, in place i; joint 0 empties the
-    /// place. Wakes the bodies. Returns 1, or 0 when refused: a coupling or a joint of another world as joint;
-    /// an axis that it does not have; a factor that is 0 or not finite; or out of memory.
+    /// place. Wakes the bodies. Another factor for the axis that a place has is, from then on, part of the
+    /// world's state, not of its structure. Returns 1, or 0 when refused: a coupling or a joint of another
+    /// world as joint; an axis that it does not have; a factor that is 0 or not finite; or out of memory.
     pub fn dJointSetCouplingAxis(coupling: dJointID, i: c_int, joint: dJointID, axis: c_int, factor: dReal) -> c_int;
     /// Returns the joint in place i, 0 if the place is empty.
     pub fn dJointGetCouplingJoint(coupling: dJointID, i: c_int) -> dJointID;
@@ -3335,7 +3336,7 @@ extern "C" {
     /// first 1e-4, 1e-3 in single precision.
     pub fn dWorldGetStepProjectionTolerance(world: dWorldID) -> dReal;
     /// Advances the world by stepsize, s, and chooses the solver of each island. Everything else is as in
-    /// dWorldStep. Returns 1. Refused: a stepsize that dWorldStep would refuse; a call during a step.
+    /// dWorldStep. Returns 1. Refused: a stepsize that is not positive; a call during a step.
     pub fn dWorldStepHybrid(world: dWorldID, stepsize: dReal) -> c_int;
     /// Set how hybrid steps solve islands none of whose bodies requests a stepper;
     /// dStepperHybrid, the default, lets the library choose. Other numbers are refused.
@@ -3367,7 +3368,7 @@ extern "C" {
     /// dStepperSubstepsExactJoints. Writes to steps\_made, unless it is 0, how many steps each world has made: a
     /// world that finds no memory stops, the others go on. Returns how many have made them all. Refused, with
     /// no world changed: worlds that are 0, destroyed, in a step or in the array twice; a null array with a
-    /// count above 0; another stepper; other numbers; a stepsize that dWorldStep would refuse.
+    /// count above 0; another stepper; other numbers; a stepsize that is not positive.
     pub fn dWorldsStep(worlds: *const dWorldID, count: c_int, stepsize: dReal, stepper: c_int, iterations: c_int, steps: c_int, threads: c_int, steps_made: *mut c_int) -> c_int;
     /// Fills \*settings with the default of every field and writes struct\_size, which is sizeof(dVehicleSettings),
     /// to it: dVehicleSettingsInit(&settings, sizeof settings). Returns 1.

@@ -108,13 +108,17 @@ TEST(TallTower, stands_in_hybrid_steps)
     }
 }
 
-// The layer that nobody has chosen follows the smaller geom; one that was chosen is kept, whatever the size.
-TEST(SmallContacts, keep_the_layer_that_was_chosen)
+// A layer that was set is kept by what is large; by small things as far as it is half a percent of half their size, or a tower of toys with the
+// millimetre of dDefaultsGame would sink by a tenth of itself.
+TEST(SmallContacts, keep_of_a_layer_that_was_set_what_is_small_to_them)
 {
-    constexpr double kLayer = 1e-3, kEdge = 0.01;
-    Tower chosen(kEdge, 8, kLayer);
-    chosen.stand(Way::kExact);
-    EXPECT_NEAR(chosen.off().height, 8 * kLayer / kEdge, 0.02);
+    constexpr double kLayer = 1e-3, kShare = 5e-3;
+    for (const double edge : {0.01, 0.1, 1.0}) {
+        Tower tower(edge, 8, kLayer);
+        tower.stand(Way::kExact);
+        const double kept = std::min(kLayer / edge, kShare / 2);
+        EXPECT_NEAR(tower.off().height, 8 * kept, 0.02 * 8 * kept) << edge;
+    }
 }
 
 // Large bodies have the layer of 0.2 mm as before.
