@@ -22,7 +22,7 @@ struct CouplingJoint : LastingJoint {
     using LastingJoint::LastingJoint;
     CoupledAxis member[kMaxCoupledAxes];
     bool moves = false;  // its factors have changed since it has its axes: they are state, no structure
-    Real force = 0;  // along s, the mean over the last step
+    Real force = 0;      // along s, the mean over the last step
 };
 
 inline bool is_coupling(const Joint& joint) { return joint.type->number == dJointTypeCoupling; }

@@ -335,7 +335,8 @@ DIFFERENCE(D47, gap, "a hinge whose step is longer than the gap between its stop
 }
 
 // The rate at which a stop throws back a hinge that begins 0.25 rad beyond it, in a world that corrects at 1 m/s at most.
-DIFFERENCE(D52, thrown_back, "what is beyond its stop is brought back without a speed where corrections are bounded")
+DIFFERENCE(D52, thrown_back,
+           "what is beyond its stop is brought back without a speed where corrections are bounded")
 {
     const World world;
     const dBodyID b = world.body(0, 0, 0);
