@@ -76,7 +76,7 @@ class NarrowPhase : public testing::Test {
     ContactManifold update(std::span<const CachedManifold> old)
     {
         ContactPair pair = cube_and_ground();
-        update_pair(pair, old, {kLayer, false, {Real(1) / 60, {}}, foresees}, &manifold, nullptr);
+        update_pair(pair, old, {kLayer, true, {Real(1) / 60, {}}, foresees}, &manifold, nullptr);
         EXPECT_EQ(pair.count, 1);
         return manifold.manifold;
     }
@@ -91,7 +91,7 @@ class NarrowPhase : public testing::Test {
     bool keeps_points(Real along, Real turned)
     {
         ContactPair pair = cube_and_ground();
-        const NarrowSettings settings = {kLayer, false, {Real(1) / 60, {}}, foresees};
+        const NarrowSettings settings = {kLayer, true, {Real(1) / 60, {}}, foresees};
         CachedManifold before[kSurfaceManifolds], after[kSurfaceManifolds];
         place_cube(0, 0);
         update_pair(pair, {}, settings, before, nullptr);
