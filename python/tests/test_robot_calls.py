@@ -333,7 +333,7 @@ def test_the_first_step_accelerates_as_the_equation_of_motion_says(preset):
 
 
 def test_arrays_of_many_are_the_rows_of_each():
-    model = epode.load(MODELS / "walker.xml")
+    model = epode.robot.from_text(TREE.replace("</mujoco>", "<actuator><motor joint='slide'/><motor joint='turn'/></actuator></mujoco>"))
     robots = epode.robot.Robots(model.build() for _ in range(3))
     robots.controls = np.linspace(-0.4, 0.4, 3 * len(model.actuators)).reshape(3, -1)
     robots.step(0.002, steps=20)
@@ -344,9 +344,10 @@ def test_arrays_of_many_are_the_rows_of_each():
 
 
 def test_what_a_robot_does_not_have_is_empty():
-    model = epode.robot.from_text("stone.urdf", '<robot name="stone"><link name="base"/></robot>')
+    model = epode.robot.from_text(CRATE)
     robot = model.build()
-    for array in (robot.controls, robot.activations, robot.actuator_forces, robot.drive_forces, robot.velocities, model.constraints(robot.positions)[0], model.tendons(robot.positions)[0]):
+    constraints, tendons = model.constraints(robot.positions)[0], model.tendons(robot.positions)[0]
+    for array in (robot.controls, robot.activations, robot.actuator_forces, constraints, tendons):
         assert array.shape == (0,)
     robots = epode.robot.Robots([robot, model.build()])
-    assert robots.controls.shape == (2, 0) and robots.forces.shape == robots.velocities.shape == (2, 0)
+    assert robots.controls.shape == (2, 0) and robots.forces.shape == robots.velocities.shape == (2, 6)
