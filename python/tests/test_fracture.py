@@ -120,7 +120,7 @@ def test_copies_break_as_the_original_does():
     world.plane()
     wall = world.fracture(bricks(world, (1, 5, 5), (0.2, 0.2, 0.2), (0, 0, 0.5)), density=2000, strength=40, radius=0.25)
     for i in range(2):
-        shoot(world, (-2 - 2 * i, 0.2 * i, 0.5), (20, 0, 1), mass=10)
+        shoot(world, (-2 - 2 * i, 0.2 * i, 0.5), (20 + 10 * i, 0, 1), mass=10)
     assert play(world, 8) >= 1  # some pieces, and one more blow to come
     copies = [world.clone(), pickle.loads(pickle.dumps(world))]
     broken = [play(one, 40) for one in (world, *copies)]
