@@ -20,10 +20,11 @@ extern "C" {
     joints: dBodyGetNumJoints does not count them. Joints of the program, contact joints too, work alongside
     them.
 
-    Contacts may overlap by the world's surface layer (dWorldSetContactSurfaceLayer), or by 0.2 mm if that
-    is 0, and by 0.005 or 0.001 of half the size of what they carry at most. They are speculative: bodies that would meet within the step are stopped where they meet, on the
-    way too, as far as it is at most 16 times what two solids are thick, or a solid's centre crosses a mesh;
-    for the rest there is dGeomSetContinuous. A pair has no event before it touches.
+    Contacts may overlap by the world's surface layer (dWorldSetContactSurfaceLayer), at most by 0.005 of
+    half the size of what they carry; if that is 0, by 0.2 mm, at most by 0.001 of it. They are speculative:
+    bodies that would meet within the step are stopped where they meet, on the way too, as far as it is at
+    most 16 times what two solids are thick, or a solid's centre crosses a mesh; for the rest there is
+    dGeomSetContinuous. A pair has no event before it touches.
     So callbacks of a mesh and heights of a function are called for where geoms will be, too; the colliders of
     user classes only for where they are.
 

@@ -6,7 +6,7 @@
  *
  * Body 1 and body 2 are those of dJointAttach, in its order. Each chapter names the rows that the joint
  * always has and the axes that may carry a limit and a motor. Conventions of objects.h hold: world frame, SI
- * units, radians. */
+ * units, radians. It is long, as objects.h is, because every entry documents itself. */
 #ifndef _ODE_OBJECTS_JOINTS_H_
 #define _ODE_OBJECTS_JOINTS_H_
 

@@ -8,7 +8,8 @@
  * dSpaceExt and dJointExt take the class that they extend, dGeomExt<dSphere>, dSpaceExt<dHashSpace> or
  * dJointExt<dHingeJoint>. Structures that begin with struct_size have it, and their defaults, from the
  * beginning. As in ode/odecpp.h each member calls the C function of its name, which tells units, defaults and
- * refusals, wrappers own their object, and there is no library code behind them. They compile from C++98 on. */
+ * refusals, wrappers own their object, and there is no library code behind them. They compile from C++98 on. It is
+ * long, because the classes extend one another in its order and programs include one file. */
 #ifndef _ODE_ODECPP_EXT_H_
 #define _ODE_ODECPP_EXT_H_
 

@@ -25,11 +25,10 @@
 //
 // A wheel on an axle a spins with s = m.a and turns with what carries it by the rest r = m - s a. By exp(h m) the axle would go round m, on
 // a cone: off the carrier's by h |r| (1 - sin(h s)/(h s)), h |r| itself where h s is some radians, and a fast car spun out. exp(h r) exp(h s a)
-// turns a as the carrier turns it. Of a hinge the spin is
-// what the wheel turns by more than its carrier, and r what the carrier does: rows let the two differ by s along the carrier's axle a', and with
-// s a of the wheel's own r would have s (a' - a), which turned a by h s round a' and not to it, so that errors grew by (1 + (h s)^2)^(1/2) a step (a
-// car of hinged wheels at 20 m/s and 1/60 s left its line after 2 s). Rejected: the same for every link; those between two hinges gained 2.6 % of a tree's energy (0.7 %),
-// and joints of figures opened by 67 mm (44).
+// turns a as the carrier turns it. Of a hinge the spin is what the wheel turns by more than its carrier, and r what the carrier does: rows let the two
+// differ by s along the carrier's axle a', and with s a of the wheel's own r would have s (a' - a), which turned a by h s round a' and not to it, so
+// that errors grew by (1 + (h s)^2)^(1/2) a step (a car of hinged wheels at 20 m/s and 1/60 s left its line after 2 s). Rejected: the same for every
+// link; those between two hinges gained 2.6 % of a tree's energy (0.7 %), and joints of figures opened by 67 mm (44).
 //
 // Source: the midpoint rule's two invariants and their Cayley form: Austin, Krishnaprasad & Wang, "Almost
 // Poisson Integration of Rigid Body Systems", J. Comp. Phys. 107 (1993); the scaling of W by tan(x)/x, which

@@ -173,6 +173,7 @@ class StateStream : public FirstFault {
         if (failed()) return false;
         return std::size_t(end_ - at_) >= count || (saves() ? grow(count) : ends_too_early());
     }
+    // Rare, but not gnu::cold: GCC 12 then takes what is read and written after it for cold.
     [[gnu::noinline]] bool grow(std::size_t count);
     [[gnu::noinline]] bool ends_too_early()
     {

@@ -36,8 +36,6 @@ bool has_budget(const IslandRun& run)
     return !run.methods().empty() && run.methods().front().max_work < kInf;
 }
 
-constexpr std::size_t kFewBodies = 32;  // of an island with a budget, whose time here is not metered
-
 bool touches(const Island& island) { return !island.manifolds.empty() || island.plain_contacts > 0; }
 
 bool is_still(const RowSystem& system, int body)
@@ -199,7 +197,8 @@ class TreeRun {
 bool may_be_tree(const IslandRun& run)
 {
     return run.world.joint_coordinates && !run.world.acts_as_ode() && !run.work.island.joints.empty() &&
-           !(has_budget(run) && (touches(run.work.island) || run.work.island.bodies.size() > kFewBodies));
+           !(has_budget(run) &&
+             (touches(run.work.island) || int(run.work.island.bodies.size()) > kFewTreeBodies));
 }
 
 TreeOutcome step_in_tree(IslandRun& run)

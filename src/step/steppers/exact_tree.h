@@ -12,6 +12,9 @@
 
 namespace epode {
 
+// Bodies of an island with a budget, whose time in joint coordinates is not metered.
+inline constexpr int kFewTreeBodies = 32;
+
 enum class TreeOutcome { kMade, kRefused, kNotInTree, kNoMemory };
 
 // Before the island is assembled: false, if it is none for certain.

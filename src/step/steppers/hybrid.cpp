@@ -18,6 +18,7 @@
 
 #include "dynamics/coupling.h"
 #include "step/island/strain.h"
+#include "step/steppers/exact_tree.h"
 #include "step/steppers/hybrid_budget.h"
 
 namespace epode {
@@ -31,7 +32,6 @@ constexpr int kFigure = 20;             // joints of a tree that sweeps hold tog
 constexpr double kLoaded = 100;         // ratio of masses from which they do not
 constexpr double kSmall = 1e-3;         // largest fall in a substep over the radius of gyration
 constexpr double kTall = 0.4;           // the same times (height / radius)^2, of tall stacks
-constexpr int kFewSwing = 32;           // bodies that may be solved in joint coordinates
 constexpr double kTreeWork = 5;         // microseconds, the limit of what does not turn out as a tree
 constexpr std::uint8_t kStrainedSteps = 50;
 constexpr std::uint8_t kRefusedSteps = 30;
@@ -172,7 +172,7 @@ bool topples(const Structure& s, const World& world, Real h)
 // where the step does not find a tree there (steppers/exact_tree.h), the work that it may cost is used up at once.
 bool may_swing_in_tree(const Structure& s, const History& history, const World& world)
 {
-    return s.contacts == 0 && s.bodies <= kFewSwing && world.joint_coordinates && !world.acts_as_ode() &&
+    return s.contacts == 0 && s.bodies <= kFewTreeBodies && world.joint_coordinates && !world.acts_as_ode() &&
            !history.refused;
 }
 
